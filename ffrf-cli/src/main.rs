@@ -1,0 +1,4 @@
+//! The `ffrf` command.
+#![forbid(unsafe_code)]
+
+fn main() {}

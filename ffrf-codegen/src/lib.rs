@@ -1,0 +1,2 @@
+//! From a reduced flexible body to Rust kernels.
+#![forbid(unsafe_code)]

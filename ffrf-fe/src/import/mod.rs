@@ -1,0 +1,1 @@
+//! Readers: files of FE codes to [`FeModel`](crate::FeModel).

@@ -1,0 +1,17 @@
+//! Finite-element import, modes and reduction to a flexible body.
+//!
+//! The way through this crate: files --[`import`]--> [`FeModel`] --[`modes`]--> [`ModeBasis`]
+//! --[`reduction`]--> [`ffrf_model::ReducedBody`].
+#![forbid(unsafe_code)]
+
+mod error;
+mod fe_model;
+pub mod import;
+pub mod modes;
+pub mod reduction;
+mod sparse;
+
+pub use error::FeError;
+pub use fe_model::{Element, ElementKind, FeModel, Nodes};
+pub use modes::ModeBasis;
+pub use sparse::SparseMatrix;

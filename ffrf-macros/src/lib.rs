@@ -1,0 +1,2 @@
+//! The `flexible_body!` macro.
+#![forbid(unsafe_code)]

@@ -1,0 +1,107 @@
+//! The reduced flexible body: inertia, stiffness, damping, modes, markers, and where they came from.
+
+use serde::{Deserialize, Serialize};
+
+use crate::inertia::{Inertia, Vector3};
+
+/// The version of the file format that this library writes, and the only one it reads.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// A flexible body, reduced to `M` modes.
+///
+/// All quantities are resolved in the body frame, whose origin and axes are those of the node table.
+/// Units are the user's, but must be coherent (SI: m, kg, s, N).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ReducedBody {
+    /// Version of the file format, see [`SCHEMA_VERSION`].
+    pub schema_version: u32,
+    /// A line for people.
+    pub title: String,
+    /// Which units the numbers are in, in words; never interpreted.
+    pub units: String,
+    /// Which tool made the body, from which files.
+    pub provenance: Provenance,
+    /// One entry per mode, in the order of the modal coordinates q.
+    pub modes: Vec<Mode>,
+    /// The inertia invariants (206-208).
+    pub inertia: Inertia,
+    /// Modal stiffness K_ff. Shape: M x M, symmetric. Units: N/m times (unit of mode shape)^2.
+    pub stiffness: Vec<Vec<f64>>,
+    /// Modal damping D_ff. Shape: M x M, symmetric.
+    pub damping: Vec<Vec<f64>>,
+    /// Points where forces act and where motion is observed.
+    pub markers: Vec<Marker>,
+}
+
+impl ReducedBody {
+    /// Number of modes M.
+    pub fn mode_count(&self) -> usize {
+        self.modes.len()
+    }
+}
+
+/// Which tool made a body, from which files.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Provenance {
+    /// Name of the tool, `ffrf`.
+    pub tool: String,
+    /// Version of the tool.
+    pub tool_version: String,
+    /// The files that the body was made from.
+    pub sources: Vec<SourceFile>,
+}
+
+/// One file that a body was made from.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SourceFile {
+    /// What the file supplied: `nodes`, `mass`, `stiffness`, `mode shapes`, ...
+    pub role: String,
+    /// File name without its folder, so that the same data gives the same body everywhere.
+    pub file: String,
+    /// SHA-256 of the file's bytes, in lower-case hexadecimal.
+    pub sha256: String,
+}
+
+/// One mode of the basis.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Mode {
+    /// How the mode was made.
+    pub kind: ModeKind,
+    /// Natural frequency in hertz, if the mode is an eigenmode.
+    pub frequency_hz: Option<f64>,
+}
+
+/// How a mode was made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum ModeKind {
+    /// Eigenmode of the unsupported body.
+    FreeFree,
+    /// Eigenmode with a node set held fixed.
+    Clamped,
+    /// Supplied by the user.
+    User,
+}
+
+/// A point of the body where forces act and where motion is observed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Marker {
+    /// Name, unique in the body; letters, digits and underscores.
+    pub name: String,
+    /// Ids of the nodes whose mean motion the marker follows.
+    pub nodes: Vec<u64>,
+    /// Reference position in the body frame. Units: m.
+    pub position: Vector3,
+    /// Displacement per unit modal coordinate, φ_μ at the marker. Shape: M x 3.
+    pub translation: Vec<Vector3>,
+    /// Small rotation per unit modal coordinate at the marker. Shape: M x 3. Units: rad.
+    ///
+    /// A least-squares fit over the marker's nodes or, for a single node, over the nodes it is coupled with.
+    pub rotation: Vec<Vector3>,
+}

@@ -1,0 +1,11 @@
+//! What a reduced flexible body *is*: plain data, its file format and its consistency checks.
+//!
+//! [`ReducedBody`] is the one type that crosses from the finite-element side (`ffrf-fe`)
+//! to the generator (`ffrf-codegen`). It holds numbers only and knows no linear-algebra library.
+#![forbid(unsafe_code)]
+
+mod body;
+mod inertia;
+
+pub use body::{Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile};
+pub use inertia::{Inertia, Matrix3, Vector3};
