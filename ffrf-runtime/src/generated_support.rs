@@ -1,0 +1,87 @@
+//! What generated code calls. Not part of the public interface: it changes together with the generator.
+//!
+//! Everything here is a few instructions long, always inlined, and free of allocation and panics.
+
+use nalgebra::{ArrayStorage, ComplexField, SMatrix, SVector};
+
+/// a b + c, fused where the target does that in hardware, otherwise a product and a sum.
+///
+/// Fused only with the `std` feature (`f64::mul_add` is not in `core`) on targets that are known to have
+/// the instruction; a software fused multiply-add would be correct but some twenty times slower.
+#[inline(always)]
+pub fn fused_multiply_add(a: f64, b: f64, c: f64) -> f64 {
+    #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+    return a.mul_add(b, c);
+    #[cfg(not(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64"))))]
+    return a * b + c;
+}
+
+/// [`fused_multiply_add`] in single precision.
+#[inline(always)]
+pub fn fused_multiply_add_f32(a: f32, b: f32, c: f32) -> f32 {
+    #[cfg(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")))]
+    return a.mul_add(b, c);
+    #[cfg(not(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64"))))]
+    return a * b + c;
+}
+
+/// Square root, from `std` or `libm`.
+#[inline(always)]
+pub fn square_root(x: f64) -> f64 {
+    ComplexField::sqrt(x)
+}
+
+/// Square root in single precision, from `std` or `libm`.
+#[inline(always)]
+pub fn square_root_f32(x: f32) -> f32 {
+    ComplexField::sqrt(x)
+}
+
+/// The array `entries` as a column vector. Shape: R.
+#[inline(always)]
+pub const fn vector<const R: usize, T>(entries: [T; R]) -> SVector<T, R> {
+    SVector::from_array_storage(ArrayStorage([entries]))
+}
+
+/// The columns as a matrix (nalgebra stores column by column). Shape: R x C.
+#[inline(always)]
+pub const fn matrix<const R: usize, const C: usize, T>(columns: [[T; R]; C]) -> SMatrix<T, R, C> {
+    SMatrix::from_array_storage(ArrayStorage(columns))
+}
+
+/// The entries of a column vector as an array, without a copy. Shape: R.
+#[inline(always)]
+pub const fn array<const R: usize, T>(vector: &SVector<T, R>) -> &[T; R] {
+    let [column] = &vector.data.0;
+    column
+}
+
+/// The columns of a matrix as arrays, without a copy. Shape: C columns of R.
+#[inline(always)]
+pub const fn columns<const R: usize, const C: usize, T>(matrix: &SMatrix<T, R, C>) -> &[[T; R]; C] {
+    &matrix.data.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrays_and_matrices_are_the_same_numbers() {
+        let column = vector([1.0, 2.0, 3.0]);
+        assert_eq!(column[2], 3.0);
+        assert_eq!(array(&column), &[1.0, 2.0, 3.0]);
+        let both = matrix([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+        assert_eq!((both.nrows(), both.ncols(), both[(0, 1)]), (3, 2, 4.0));
+        assert_eq!(columns(&both)[1], [4.0, 5.0, 6.0]);
+        assert_eq!(array(&vector::<0, f64>([])).len(), 0);
+    }
+
+    #[test]
+    fn products_and_roots() {
+        assert_eq!(fused_multiply_add(2.0, 3.0, 4.0), 10.0);
+        assert_eq!(fused_multiply_add_f32(2.0, 3.0, 4.0), 10.0);
+        assert_eq!(square_root(2.0), core::f64::consts::SQRT_2);
+        assert_eq!(square_root_f32(9.0), 3.0);
+    }
+}
