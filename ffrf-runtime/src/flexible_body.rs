@@ -1,6 +1,8 @@
 //! What every generated body can do.
 
-use nalgebra::{SMatrix, SVector, Vector3};
+use nalgebra::{RealField, SMatrix, SVector, Vector3};
+
+use crate::Marker;
 
 /// Mass matrix, quadratic velocity vector and accelerations of one state, from one pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,4 +83,80 @@ pub trait FlexibleBody<const M: usize, const N: usize, T = f64> {
     fn stiffness_matrix(&self) -> SMatrix<T, M, M>;
     /// Modal damping D_ff. Shape: M x M.
     fn damping_matrix(&self) -> SMatrix<T, M, M>;
+
+    /// Mass m, by default the weight in a unit field. Units: kg.
+    fn mass(&self) -> T
+    where
+        T: RealField + Copy,
+    {
+        self.gravity_force(&SVector::zeros(), &Vector3::x())[0]
+    }
+
+    /// First moment of mass m r(q) about the frame origin, by default from the moments of two unit fields.
+    ///
+    /// Shape: 3. Units: kg m. Frame: body. Source: (204), r = a + q_μ b_μ.
+    fn first_mass_moment(&self, q: &SVector<T, M>) -> Vector3<T>
+    where
+        T: RealField + Copy,
+    {
+        // m r × e1 = m (0, r3, -r2) and m r × e2 = m (-r3, 0, r1)
+        let along_x = self.gravity_force(q, &Vector3::x());
+        let along_y = self.gravity_force(q, &Vector3::y());
+        Vector3::new(along_y[5], -along_x[5], along_x[4])
+    }
+
+    /// The markers that the model names. Generated bodies have each of them as a constant as well.
+    fn markers(&self) -> &'static [(&'static str, Marker<M, T>)]
+    where
+        T: 'static,
+    {
+        &[]
+    }
+
+    /// The marker called `name`, or `None`. Linear search: look markers up before the simulation starts.
+    fn marker(&self, name: &str) -> Option<&'static Marker<M, T>>
+    where
+        T: 'static,
+    {
+        self.markers().iter().find(|(found, _)| *found == name).map(|(_, marker)| marker)
+    }
+
+    /// Position of a marker from the frame origin, see [`Marker::position`]. Shape: 3. Units: m. Frame: body.
+    fn marker_position(&self, marker: &Marker<M, T>, q: &SVector<T, M>) -> Vector3<T>
+    where
+        T: RealField + Copy,
+    {
+        marker.position(q)
+    }
+
+    /// Velocity of a marker, see [`Marker::velocity`]. Shape: 3. Units: m/s. Frame: body.
+    fn marker_velocity(
+        &self,
+        marker: &Marker<M, T>,
+        q: &SVector<T, M>,
+        velocity: &Vector3<T>,
+        omega: &Vector3<T>,
+        q_dot: &SVector<T, M>,
+    ) -> Vector3<T>
+    where
+        T: RealField + Copy,
+    {
+        marker.velocity(q, velocity, omega, q_dot)
+    }
+
+    /// Generalised force of a force (body-resolved) at a marker, see [`Marker::force`]. Shape: N.
+    fn marker_force(&self, marker: &Marker<M, T>, q: &SVector<T, M>, force: &Vector3<T>) -> SVector<T, N>
+    where
+        T: RealField + Copy,
+    {
+        marker.force(q, force)
+    }
+
+    /// Generalised force of a moment (body-resolved) at a marker, see [`Marker::moment`]. Shape: N.
+    fn marker_moment(&self, marker: &Marker<M, T>, moment: &Vector3<T>) -> SVector<T, N>
+    where
+        T: RealField + Copy,
+    {
+        marker.moment(moment)
+    }
 }
