@@ -1,0 +1,24 @@
+//! Symbolic expressions: an arena of nodes, shared on insertion.
+//!
+//! A [`Graph`] holds [`Node`]s. An [`Expression`] is a handle to one of them and is `Copy`. A node refers only to
+//! nodes that stand before it, so index order is a topological order and there are no cycles. Inserting a node
+//! that is already there returns the old handle (hash-consing): equal subexpressions are one node by construction.
+//! Building folds what it can see locally: constants, zeros, ones, double negation. What folded away costs nothing later.
+//!
+//! Nodes have no side effects and no order of evaluation beyond their operands. A graph is interpreted by
+//! [`evaluate`], differentiated by [`differentiate`], rewritten by `passes` and printed by `emit`.
+
+mod build;
+mod constant;
+mod differentiate;
+mod graph;
+mod interpret;
+mod symbol;
+mod vector;
+
+pub use constant::Constant;
+pub use differentiate::differentiate;
+pub use graph::{Expression, Graph, Label, Node};
+pub use interpret::{Scalar, evaluate};
+pub use symbol::Symbol;
+pub use vector::{Symmetric3, Vector, cross, dot, negate3, subtract3, sum3, symmetric_times};
