@@ -5,7 +5,17 @@
 #![forbid(unsafe_code)]
 
 mod body;
+mod check;
+mod derived;
+mod eigenvalues;
+mod error;
+mod file;
 mod inertia;
+mod shape;
+mod tolerances;
+mod truncate;
 
 pub use body::{Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile};
+pub use check::{Check, CheckReport, Limit, is_valid_marker_name};
+pub use error::ModelError;
 pub use inertia::{Inertia, Matrix3, Vector3};

@@ -1,0 +1,256 @@
+//! Consistency checks: does the body contradict itself or physics, and by how much.
+
+use std::fmt;
+
+use crate::eigenvalues::{schur_complement, smallest_eigenvalue, to_unit_diagonal};
+use crate::tolerances::{INDEPENDENCE, NEGATIVE_EIGENVALUE, RIGID_PIVOT, SYMMETRY};
+use crate::{Inertia, ModelError, ReducedBody};
+
+/// One check: what was measured, and the limit it must keep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// What was checked, in words.
+    pub subject: String,
+    /// The number that was found.
+    pub measured: f64,
+    /// What the number must satisfy.
+    pub limit: Limit,
+}
+
+/// What a measured number must satisfy.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Limit {
+    /// Not greater than this.
+    AtMost(f64),
+    /// Not less than this.
+    AtLeast(f64),
+    /// Greater than this.
+    Above(f64),
+}
+
+impl Check {
+    fn new(subject: impl Into<String>, measured: f64, limit: Limit) -> Self {
+        Self { subject: subject.into(), measured, limit }
+    }
+
+    /// True if the number keeps its limit; a number that is not finite never does.
+    pub fn passed(&self) -> bool {
+        self.measured.is_finite()
+            && match self.limit {
+                Limit::AtMost(limit) => self.measured <= limit,
+                Limit::AtLeast(limit) => self.measured >= limit,
+                Limit::Above(limit) => self.measured > limit,
+            }
+    }
+}
+
+impl fmt::Display for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {:.3e}, must be {}", self.subject, self.measured, self.limit)
+    }
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AtMost(limit) => write!(f, "at most {limit:.0e}"),
+            Self::AtLeast(limit) => write!(f, "at least {limit:.0e}"),
+            Self::Above(limit) => write!(f, "above {limit:.0e}"),
+        }
+    }
+}
+
+/// The checks of one body, in a fixed order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CheckReport {
+    /// Every check, passed or not.
+    pub checks: Vec<Check>,
+}
+
+impl CheckReport {
+    /// The checks that failed.
+    pub fn failures(&self) -> impl Iterator<Item = &Check> {
+        self.checks.iter().filter(|check| !check.passed())
+    }
+
+    /// All is well, or every failure at once.
+    ///
+    /// Errors: [`ModelError::Inconsistent`].
+    pub fn verdict(&self) -> Result<(), ModelError> {
+        let failures: Vec<Check> = self.failures().cloned().collect();
+        if failures.is_empty() { Ok(()) } else { Err(ModelError::Inconsistent { failures }) }
+    }
+}
+
+impl ReducedBody {
+    /// Measures how consistent the body is: mass, symmetries, definiteness, independence of the modes from
+    /// rigid motion, marker names.
+    ///
+    /// Errors: only those of [`check_shape`](Self::check_shape); the verdict on the numbers is
+    /// [`CheckReport::verdict`]. Panics: never.
+    pub fn check(&self) -> Result<CheckReport, ModelError> {
+        self.check_shape()?;
+        let inertia = &self.inertia;
+        let mut checks = vec![
+            Check::new("mass", inertia.mass, Limit::Above(0.0)),
+            symmetry("asymmetry of the second moment T", &inertia.second_moment),
+            mode_mode_symmetry(inertia),
+            symmetry("asymmetry of the stiffness K_ff", &self.stiffness),
+            symmetry("asymmetry of the damping D_ff", &self.damping),
+        ];
+        let gram = smallest_eigenvalue(to_unit_diagonal(gram_matrix(inertia)));
+        checks.push(Check::new(
+            "smallest eigenvalue of the Gram matrix of the inertia invariants, unit diagonal",
+            gram.unwrap_or(0.0),
+            Limit::AtLeast(NEGATIVE_EIGENVALUE),
+        ));
+        checks.push(independence(inertia));
+        checks.push(definiteness("smallest eigenvalue of K_ff over its largest entry", &self.stiffness));
+        checks.push(definiteness("smallest eigenvalue of D_ff over its largest entry", &self.damping));
+        checks.extend(marker_names(self));
+        Ok(CheckReport { checks })
+    }
+}
+
+fn largest<R: AsRef<[f64]>>(matrix: &[R]) -> f64 {
+    matrix.iter().flat_map(|row| row.as_ref()).fold(0.0, |max, entry| max.max(entry.abs()))
+}
+
+/// `deviation / scale`, and 0 where both vanish.
+fn relative(deviation: f64, scale: f64) -> f64 {
+    if deviation == 0.0 { 0.0 } else { deviation / scale }
+}
+
+fn symmetry<R: AsRef<[f64]>>(subject: &str, matrix: &[R]) -> Check {
+    let mut deviation = 0.0_f64;
+    for (i, row) in matrix.iter().enumerate() {
+        for (j, entry) in row.as_ref().iter().enumerate() {
+            deviation = deviation.max((entry - matrix[j].as_ref()[i]).abs());
+        }
+    }
+    Check::new(subject, relative(deviation, largest(matrix)), Limit::AtMost(SYMMETRY))
+}
+
+/// T_νμ = T_μνᵀ.
+fn mode_mode_symmetry(inertia: &Inertia) -> Check {
+    let (mut deviation, mut scale) = (0.0_f64, 0.0_f64);
+    for (mu, row) in inertia.mode_mode_moment.iter().enumerate() {
+        for (nu, block) in row.iter().enumerate() {
+            for i in 0..3 {
+                for j in 0..3 {
+                    let mirrored = inertia.mode_mode_moment[nu][mu][j][i];
+                    deviation = deviation.max((block[i][j] - mirrored).abs());
+                    scale = scale.max(block[i][j].abs());
+                }
+            }
+        }
+    }
+    let subject = "deviation of T_νμ from the transpose of T_μν";
+    Check::new(subject, relative(deviation, scale), Limit::AtMost(SYMMETRY))
+}
+
+/// Gram matrix of the fields 1, xⁱ, φ_μⁱ in the mass inner product. Shape: 4 + 3M square.
+fn gram_matrix(inertia: &Inertia) -> Vec<Vec<f64>> {
+    let size = 4 + 3 * inertia.mode_count();
+    let mut gram = vec![vec![0.0; size]; size];
+    let mut set = |row: usize, column: usize, value: f64| {
+        gram[row][column] = value;
+        gram[column][row] = value;
+    };
+    set(0, 0, inertia.mass);
+    for i in 0..3 {
+        set(0, 1 + i, inertia.first_moment[i]);
+        for j in 0..3 {
+            set(1 + i, 1 + j, inertia.second_moment[i][j]);
+        }
+        for mu in 0..inertia.mode_count() {
+            set(0, 4 + 3 * mu + i, inertia.modal_first_moment[mu][i]);
+            for j in 0..3 {
+                set(1 + i, 4 + 3 * mu + j, inertia.position_mode_moment[mu][i][j]);
+                for nu in 0..inertia.mode_count() {
+                    set(4 + 3 * mu + i, 4 + 3 * nu + j, inertia.mode_mode_moment[mu][nu][i][j]);
+                }
+            }
+        }
+    }
+    gram
+}
+
+/// Smallest eigenvalue of what elimination of the rigid motion leaves of Θ_ff at q = 0, over the modal masses.
+fn independence(inertia: &Inertia) -> Check {
+    let subject = "independence of the modes from rigid motion and from each other";
+    let count = inertia.mode_count();
+    let modal_mass = inertia.modal_mass();
+    let mass_matrix = to_unit_diagonal(undeformed_mass_matrix(inertia, &modal_mass));
+    let Some(schur) = schur_complement(mass_matrix, 6, RIGID_PIVOT) else {
+        let subject = "rotational inertia of the undeformed body about its least axis, relative";
+        return Check::new(subject, 0.0, Limit::Above(RIGID_PIVOT));
+    };
+    // A body without modes has nothing that could depend on rigid motion.
+    let measured = if count == 0 { 1.0 } else { smallest_eigenvalue(schur).unwrap_or(1.0) };
+    Check::new(subject, measured, Limit::AtLeast(INDEPENDENCE))
+}
+
+/// Mass matrix at q = 0. Shape: 6 + M square. Source: (203), body-resolved.
+fn undeformed_mass_matrix(inertia: &Inertia, modal_mass: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let count = inertia.mode_count();
+    let mut matrix = vec![vec![0.0; 6 + count]; 6 + count];
+    let mut set = |row: usize, column: usize, value: f64| {
+        matrix[row][column] = value;
+        matrix[column][row] = value;
+    };
+    let tensor = inertia.inertia_tensor();
+    for i in 0..3 {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        set(i, i, inertia.mass);
+        // -m ã: entry (i, j) is m a_k, entry (i, k) is -m a_j.
+        set(i, 3 + j, inertia.first_moment[k]);
+        set(i, 3 + k, -inertia.first_moment[j]);
+        for column in 0..3 {
+            set(3 + i, 3 + column, tensor[i][column]);
+        }
+    }
+    for mu in 0..count {
+        let coupling = inertia.rotation_coupling(mu);
+        for i in 0..3 {
+            set(i, 6 + mu, inertia.modal_first_moment[mu][i]);
+            set(3 + i, 6 + mu, coupling[i]);
+        }
+        for nu in 0..count {
+            set(6 + mu, 6 + nu, modal_mass[mu][nu]);
+        }
+    }
+    matrix
+}
+
+fn definiteness(subject: &str, matrix: &[Vec<f64>]) -> Check {
+    let smallest = smallest_eigenvalue(matrix.to_vec()).unwrap_or(0.0);
+    Check::new(subject, relative(smallest, largest(matrix)), Limit::AtLeast(NEGATIVE_EIGENVALUE))
+}
+
+/// True if the name can stand in generated code: letters, digits and underscores, a letter first.
+pub fn is_valid_marker_name(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+}
+
+/// One check on how many names are at fault, which names them.
+fn marker_names(body: &ReducedBody) -> Vec<Check> {
+    let names: Vec<&str> = body.markers.iter().map(|marker| marker.name.as_str()).collect();
+    let invalid: Vec<&str> = names.iter().copied().filter(|name| !is_valid_marker_name(name)).collect();
+    let repeated: Vec<&str> = names
+        .iter()
+        .enumerate()
+        .filter(|(i, name)| names[..*i].contains(name))
+        .map(|(_, name)| *name)
+        .collect();
+    let count = |subject: &str, faulty: &[&str]| {
+        let subject = if faulty.is_empty() { subject.to_owned() } else { format!("{subject} ({faulty:?})") };
+        Check::new(subject, faulty.len() as f64, Limit::AtMost(0.0))
+    };
+    vec![
+        count("marker names other than letters, digits, underscores with a letter first", &invalid),
+        count("repeated marker names", &repeated),
+    ]
+}

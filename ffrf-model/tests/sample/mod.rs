@@ -1,0 +1,101 @@
+//! A small body made of point masses, for the tests of this crate.
+#![allow(dead_code)]
+
+use ffrf_model::{
+    Inertia, Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile, Vector3,
+};
+
+/// Numbers in (-1, 1) from a linear congruential generator: the same on every machine.
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    /// The next number.
+    pub fn draw(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    /// Three numbers.
+    pub fn vector(&mut self) -> Vector3 {
+        [self.draw(), self.draw(), self.draw()]
+    }
+}
+
+/// A point mass with its position and mode rows.
+pub struct Point {
+    /// Mass.
+    pub mass: f64,
+    /// Position.
+    pub position: Vector3,
+    /// Displacement per mode.
+    pub shapes: Vec<Vector3>,
+}
+
+/// Twelve points without any symmetry.
+pub fn points(modes: usize) -> Vec<Point> {
+    let mut numbers = Numbers(7);
+    (0..12)
+        .map(|_| Point {
+            mass: 1.5 + numbers.draw(),
+            position: numbers.vector(),
+            shapes: (0..modes).map(|_| numbers.vector()).collect(),
+        })
+        .collect()
+}
+
+/// The inertia invariants by their definition.
+pub fn inertia(points: &[Point]) -> Inertia {
+    let modes = points[0].shapes.len();
+    let moment = |left: &dyn Fn(&Point) -> Vector3, right: &dyn Fn(&Point) -> Vector3| {
+        let entry = |i: usize, j: usize| points.iter().map(|p| p.mass * left(p)[i] * right(p)[j]).sum();
+        std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+    };
+    let first = |field: &dyn Fn(&Point) -> Vector3| -> Vector3 {
+        std::array::from_fn(|i| points.iter().map(|p| p.mass * field(p)[i]).sum())
+    };
+    Inertia {
+        mass: points.iter().map(|p| p.mass).sum(),
+        first_moment: first(&|p| p.position),
+        modal_first_moment: (0..modes).map(|mu| first(&|p| p.shapes[mu])).collect(),
+        second_moment: moment(&|p| p.position, &|p| p.position),
+        position_mode_moment: (0..modes).map(|mu| moment(&|p| p.position, &|p| p.shapes[mu])).collect(),
+        mode_mode_moment: (0..modes)
+            .map(|mu| (0..modes).map(|nu| moment(&|p| p.shapes[mu], &|p| p.shapes[nu])).collect())
+            .collect(),
+    }
+}
+
+/// A body of `modes` modes with one marker.
+pub fn body(modes: usize) -> ReducedBody {
+    let points = points(modes);
+    let square = |diagonal: f64, beside: f64| {
+        (0..modes)
+            .map(|i| (0..modes).map(|j| if i == j { diagonal * (1 + i) as f64 } else { beside }).collect())
+            .collect()
+    };
+    ReducedBody {
+        schema_version: SCHEMA_VERSION,
+        title: "twelve [points], \"quoted\"".to_owned(),
+        units: "m, kg, s".to_owned(),
+        provenance: Provenance {
+            tool: "ffrf".to_owned(),
+            tool_version: "0.1.0".to_owned(),
+            sources: vec![SourceFile {
+                role: "nodes".to_owned(),
+                file: "X.txt".to_owned(),
+                sha256: "00".to_owned(),
+            }],
+        },
+        modes: (0..modes).map(|_| Mode { kind: ModeKind::User, frequency_hz: Some(0.1) }).collect(),
+        inertia: inertia(&points),
+        stiffness: square(1e4, 17.0),
+        damping: square(0.1, 0.0),
+        markers: vec![Marker {
+            name: "tip".to_owned(),
+            nodes: vec![11],
+            position: points[11].position,
+            translation: points[11].shapes.clone(),
+            rotation: vec![[0.0; 3]; modes],
+        }],
+    }
+}
