@@ -1,2 +1,6 @@
 //! From a reduced flexible body to Rust kernels.
 #![forbid(unsafe_code)]
+
+pub mod expression;
+pub mod fidelity;
+pub mod polynomial;

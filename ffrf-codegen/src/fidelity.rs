@@ -1,0 +1,219 @@
+//! Fidelity: which terms of the kinetic energy are kept.
+//!
+//! Equations are never truncated: terms of the *energy* are, and the equations are derived anew. Whatever
+//! is dropped, the kept energy has these properties, hence the equations have these integrals:
+//!
+//! - it does not depend on time explicitly: energy (kinetic + elastic) is conserved without external forces;
+//! - it depends on position and rotation of the frame only through the body-resolved velocities, so it is
+//!   invariant under rigid motions of space: with P = ∂E/∂v and L = ∂E/∂ω, the linear momentum A P and the
+//!   angular momentum A L + p × A P about the inertial origin are conserved without external forces.
+//!
+//! Both hold for *that fidelity's own* energy and momenta, to integrator accuracy.
+//!
+//! One more property is not automatic: the equations must not depend on the velocity v of the frame origin
+//! (Galilean invariance). The terms v·(ω × m q_μ b_μ) and m v·B q̇ are the two halves of v · d(m r)/dt.
+//! With one of them dropped, (±) m B q̇ × v is left over in the rotational equations and (±) m b_μ·(ω × v) in the modal
+//! ones: a train at constant speed would make the body swing. They are therefore one [`EnergyTerm`] that is
+//! kept or dropped as a whole; every subset of terms then gives equations free of v (a test proves it).
+//!
+//! Dropping terms can cost positive definiteness for large q: without `RotationQuadratic`, Θ_rr(q) is
+//! only the tangent of a positive function. Small displacements are the assumption of every truncated level.
+
+use std::collections::BTreeSet;
+
+/// One term of the kinetic energy, as the user may keep or drop it.
+///
+/// Units of every term: J. Frame: body-resolved v and ω. Source: MATH.md, kinetic energy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum EnergyTerm {
+    /// ½ m v·v. Always kept.
+    Translation,
+    /// v·(ω × m a): eccentricity of the undeformed centre of mass.
+    FirstMoment,
+    /// v·(ω × m q_μ b_μ) + m v·B q̇: momentum of the deformation, both halves of v · d(m r)/dt.
+    ModalMomentum,
+    /// ½ ω·Θ ω: inertia of the undeformed body. Always kept.
+    Rotation,
+    /// ω·(q_μ Θ_μ) ω: change of inertia, first order in q.
+    RotationLinear,
+    /// ½ q_μ q_ν ω·Θ_μν ω: change of inertia, second order in q.
+    RotationQuadratic,
+    /// ω·ϑ_μ q̇_μ: spin of the undeformed body against its vibration, Ξ = [ϑ_μ].
+    ModalRotation,
+    /// q_ν ω·ϑ_νμ q̇_μ: spin against vibration of the deformed body (whirl, the Coriolis term 2 L_ff q̇).
+    ModalRotationDeformed,
+    /// ½ q̇·Θ_ff q̇. Always kept.
+    Modal,
+}
+
+impl EnergyTerm {
+    /// Every term, in the order in which the energy is written.
+    pub const ALL: [Self; 9] = [
+        Self::Translation,
+        Self::FirstMoment,
+        Self::ModalMomentum,
+        Self::Rotation,
+        Self::RotationLinear,
+        Self::RotationQuadratic,
+        Self::ModalRotation,
+        Self::ModalRotationDeformed,
+        Self::Modal,
+    ];
+
+    /// The name by which the macro and the command line know the term.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Translation => "translation",
+            Self::FirstMoment => "first_moment",
+            Self::ModalMomentum => "modal_momentum",
+            Self::Rotation => "rotation",
+            Self::RotationLinear => "rotation_linear",
+            Self::RotationQuadratic => "rotation_quadratic",
+            Self::ModalRotation => "modal_rotation",
+            Self::ModalRotationDeformed => "modal_rotation_deformed",
+            Self::Modal => "modal",
+        }
+    }
+
+    /// The term of that name.
+    ///
+    /// Errors: the name is unknown; the error lists the known ones.
+    pub fn from_name(name: &str) -> Result<Self, FidelityError> {
+        Self::ALL
+            .into_iter()
+            .find(|term| term.name() == name)
+            .ok_or_else(|| FidelityError::UnknownTerm { found: name.to_owned() })
+    }
+
+    /// Whether the mass matrix is singular without this term.
+    pub fn is_always_kept(self) -> bool {
+        matches!(self, Self::Translation | Self::Rotation | Self::Modal)
+    }
+}
+
+/// Which terms of the kinetic energy are kept.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub enum Fidelity {
+    /// The body moves as a rigid one; its modes vibrate in the body frame, uncoupled from that motion.
+    Rigid,
+    /// Inertia of the undeformed body: Θ_rr = Θ and Θ_rf = Ξ are constant.
+    ///
+    /// `ModalMomentum` is kept whole, so r follows q; where B = 0 the mass matrix is constant.
+    Constant,
+    /// Every term up to first order in q: only `RotationQuadratic` is dropped.
+    Linear,
+    /// Every term.
+    #[default]
+    Full,
+    /// These terms, and those that are always kept.
+    Terms(BTreeSet<EnergyTerm>),
+}
+
+impl Fidelity {
+    /// The named levels, in ascending order.
+    pub const LEVELS: [Self; 4] = [Self::Rigid, Self::Constant, Self::Linear, Self::Full];
+
+    /// Whether `term` of the kinetic energy is kept.
+    pub fn keeps(&self, term: EnergyTerm) -> bool {
+        use EnergyTerm as E;
+        term.is_always_kept()
+            || match self {
+                Self::Rigid => term == E::FirstMoment,
+                Self::Constant => matches!(term, E::FirstMoment | E::ModalMomentum | E::ModalRotation),
+                Self::Linear => term != E::RotationQuadratic,
+                Self::Full => true,
+                Self::Terms(terms) => terms.contains(&term),
+            }
+    }
+
+    /// The kept terms, in the order in which the energy is written.
+    pub fn terms(&self) -> impl Iterator<Item = EnergyTerm> + '_ {
+        EnergyTerm::ALL.into_iter().filter(|term| self.keeps(*term))
+    }
+
+    /// The name by which the macro and the command line know the level; `terms` for a list.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Rigid => "rigid",
+            Self::Constant => "constant",
+            Self::Linear => "linear",
+            Self::Full => "full",
+            Self::Terms(_) => "terms",
+        }
+    }
+
+    /// The named level.
+    ///
+    /// Errors: the name is unknown; the error lists the known ones.
+    pub fn from_name(name: &str) -> Result<Self, FidelityError> {
+        Self::LEVELS
+            .into_iter()
+            .find(|level| level.name() == name)
+            .ok_or_else(|| FidelityError::UnknownLevel { found: name.to_owned() })
+    }
+
+    /// The fidelity that keeps the terms of these names, and those that are always kept.
+    ///
+    /// Errors: a name is unknown; the error lists the known ones.
+    pub fn from_term_names<'a>(names: impl IntoIterator<Item = &'a str>) -> Result<Self, FidelityError> {
+        names.into_iter().map(EnergyTerm::from_name).collect::<Result<_, _>>().map(Self::Terms)
+    }
+}
+
+/// A fidelity that does not exist.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FidelityError {
+    /// Neither a level nor a list.
+    #[error("unknown fidelity `{found}`: expected rigid, constant, linear, full, or a list of terms")]
+    UnknownLevel {
+        /// What was written.
+        found: String,
+    },
+    /// Not a term of the kinetic energy.
+    #[error(
+        "unknown energy term `{found}`: expected {}; the halves of `modal_momentum` cannot be parted \
+         (the equations would depend on the absolute velocity)",
+        EnergyTerm::ALL.map(EnergyTerm::name).join(", ")
+    )]
+    UnknownTerm {
+        /// What was written.
+        found: String,
+    },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_nested() {
+        for pair in Fidelity::LEVELS.windows(2) {
+            assert!(pair[0].terms().all(|term| pair[1].keeps(term)), "{pair:?}");
+            assert!(pair[0].terms().count() < pair[1].terms().count(), "{pair:?}");
+        }
+    }
+
+    #[test]
+    fn names_round_trip() {
+        for term in EnergyTerm::ALL {
+            assert_eq!(EnergyTerm::from_name(term.name()), Ok(term));
+        }
+        for level in Fidelity::LEVELS {
+            assert_eq!(Fidelity::from_name(level.name()), Ok(level));
+        }
+    }
+
+    #[test]
+    fn a_list_keeps_what_it_names_and_what_every_level_needs() {
+        let list = Fidelity::from_term_names(["modal_rotation"]).unwrap();
+        let kept: Vec<_> = list.terms().map(EnergyTerm::name).collect();
+        assert_eq!(kept, ["translation", "rotation", "modal_rotation", "modal"]);
+    }
+
+    #[test]
+    fn an_unknown_term_is_answered_with_the_known_ones() {
+        let message = Fidelity::from_term_names(["first_moment_deformed"]).unwrap_err().to_string();
+        assert!(message.contains("first_moment_deformed") && message.contains("modal_momentum"), "{message}");
+    }
+}
