@@ -1,4 +1,16 @@
 //! `no_std` runtime for generated flexible bodies: the [`FlexibleBody`] trait, states, rotations, integrators.
+//!
+//! - [`FlexibleBody`] is what the generator implements: kernels, resolved in the body frame.
+//! - [`FreeBody`] is a body with [`State`] and time; it steps under a [`Load`] and knows its energy and momentum.
+//! - [`step_rk4`] is explicit (order 4), [`step_linearly_implicit`] is for stiff modes (order 2).
+//! - [`rotation`] states the one convention of rotations.
+//!
+//! Nothing here allocates or panics; a step does bounded work and either succeeds or leaves the state as it was.
+//!
+//! Features: `std` (default) takes float functions from the standard library, `libm` from the crate of that
+//! name, for targets without one. At least one of the two is needed.
+//!
+//! Current limitations: one body at a time, without joints; fixed steps; f64 and f32.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -10,11 +22,26 @@ compile_error!(
     "ffrf-runtime needs float functions: turn on the feature `std` (hosts) or `libm` (targets without one)"
 );
 
+mod augmented_mass;
 mod flexible_body;
+mod free_body;
 #[doc(hidden)]
 pub mod generated_support;
+mod linearly_implicit;
+mod load;
 mod marker;
+mod phase;
+pub mod rotation;
+mod runge_kutta;
+mod state;
+mod step;
 
 pub use flexible_body::{EquationsOfMotion, FlexibleBody};
+pub use free_body::FreeBody;
+pub use linearly_implicit::step_linearly_implicit;
+pub use load::{Frame, Gravity, Load, MarkerLoad};
 pub use marker::Marker;
 pub use nalgebra;
+pub use runge_kutta::step_rk4;
+pub use state::State;
+pub use step::{LocalError, StepError, StepReport};

@@ -1,0 +1,90 @@
+//! Bodies for tests: clouds of point masses, so that all invariants are physical by construction.
+
+use ffrf_runtime::Marker;
+use ffrf_runtime::nalgebra::Vector3;
+
+use super::naive_body::{Invariants, NaiveBody};
+
+/// A cloud of eight point masses with `M` modes, without any symmetry, from a seeded sequence.
+///
+/// The modes are not orthogonal and not free of rigid motion; K_ff is diagonal, `stiffness` times 1, 2, ...
+/// Masses of about 1 kg within about 1 m. The point `k` is also given as a marker.
+pub fn cloud<const M: usize, const N: usize>(
+    seed: u64,
+    stiffness: f64,
+    damping: f64,
+) -> (NaiveBody<M, N>, [Marker<M>; 8]) {
+    let mut random = Sequence(seed);
+    let masses: [f64; 8] = core::array::from_fn(|_| 1.0 + 0.5 * random.next());
+    let mut markers = [Marker::<M>::rigid([0.0; 3]); 8];
+    for marker in &mut markers {
+        marker.position = core::array::from_fn(|_| 0.3 + random.next());
+        marker.translation = core::array::from_fn(|_| core::array::from_fn(|_| 0.5 * random.next()));
+        marker.rotation = core::array::from_fn(|_| core::array::from_fn(|_| 0.5 * random.next()));
+    }
+    (NaiveBody::new(&point_mass_invariants(&masses, &markers, stiffness, damping)), markers)
+}
+
+/// ∫ρ becomes a sum over points with these masses.
+fn point_mass_invariants<const M: usize>(
+    masses: &[f64; 8],
+    points: &[Marker<M>; 8],
+    stiffness: f64,
+    damping: f64,
+) -> Invariants<M> {
+    let total: f64 = masses.iter().sum();
+    let sum = |field: &dyn Fn(&Marker<M>) -> f64| -> f64 {
+        masses.iter().zip(points).map(|(mass, point)| mass * field(point)).sum()
+    };
+    let diagonal = |scale: f64| {
+        core::array::from_fn(|mu| {
+            core::array::from_fn(|nu| if mu == nu { scale * (mu + 1) as f64 } else { 0.0 })
+        })
+    };
+    Invariants {
+        mass: total,
+        centre_of_mass: core::array::from_fn(|i| sum(&|p| p.position[i]) / total),
+        modal_centre_of_mass: core::array::from_fn(|mu| {
+            core::array::from_fn(|i| sum(&|p| p.translation[mu][i]) / total)
+        }),
+        euler_tensor: tensor(|i, j| sum(&|p| p.position[i] * p.position[j])),
+        modal_euler_tensor: core::array::from_fn(|mu| {
+            tensor(|i, j| sum(&|p| p.position[i] * p.translation[mu][j]))
+        }),
+        modal_pair_euler_tensor: core::array::from_fn(|mu| {
+            core::array::from_fn(|nu| tensor(|i, j| sum(&|p| p.translation[mu][i] * p.translation[nu][j])))
+        }),
+        stiffness: diagonal(stiffness),
+        damping: diagonal(damping),
+    }
+}
+
+/// A rigid body with its frame in the centre of mass and these principal moments of inertia.
+pub fn rigid(mass: f64, principal: Vector3<f64>) -> NaiveBody<0, 6> {
+    // Θ = tr(T) I - T, so T = ½ tr(Θ) I - Θ
+    let half_trace = 0.5 * principal.sum();
+    NaiveBody::new(&Invariants {
+        mass,
+        centre_of_mass: [0.0; 3],
+        modal_centre_of_mass: [],
+        euler_tensor: tensor(|i, j| if i == j { half_trace - principal[i] } else { 0.0 }),
+        modal_euler_tensor: [],
+        modal_pair_euler_tensor: [],
+        stiffness: [],
+        damping: [],
+    })
+}
+
+fn tensor(entry: impl Fn(usize, usize) -> f64) -> [[f64; 3]; 3] {
+    core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)))
+}
+
+/// Numbers in (-1, 1) from a linear congruential generator (Knuth's MMIX constants).
+struct Sequence(u64);
+
+impl Sequence {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}

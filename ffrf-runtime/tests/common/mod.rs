@@ -1,0 +1,7 @@
+//! What the tests of the runtime share.
+#![allow(dead_code)] // each test file uses its own part
+
+pub mod bodies;
+pub mod convergence;
+pub mod naive_body;
+pub mod tolerances;

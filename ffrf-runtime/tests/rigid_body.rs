@@ -1,0 +1,95 @@
+//! A rigid body (M = 0) without load: the laws of its motion, to the accuracy of the integrators.
+
+mod common;
+
+use approx::assert_relative_eq;
+use common::bodies::rigid;
+use common::convergence::measured_order;
+use common::naive_body::NaiveBody;
+use common::tolerances::{CONSERVED_BY_RK4, ROUND_OFF, SLOPE};
+use ffrf_runtime::nalgebra::{UnitQuaternion, Vector3};
+use ffrf_runtime::{FreeBody, Gravity, State};
+
+fn tumbling() -> FreeBody<NaiveBody<0, 6>, 0, 6> {
+    FreeBody::new(rigid(2.0, Vector3::new(1.0, 2.0, 2.5)))
+        .with_position(Vector3::new(0.1, 0.2, -0.3))
+        .with_velocity(Vector3::new(0.5, -0.4, 0.2))
+        .with_spin(Vector3::new(0.02, 3.0, 0.1))
+}
+
+#[test]
+fn energy_and_momentum_stay_over_many_flips() {
+    let mut body = tumbling();
+    let (energy, angular, linear) = (body.kinetic_energy(), body.angular_momentum(), body.linear_momentum());
+    for _ in 0..10_000 {
+        let report = body.step_rk4(1e-3, &()).unwrap();
+        assert!(report.quaternion_norm_drift.abs() < CONSERVED_BY_RK4, "{report:?}");
+    }
+    assert_relative_eq!(body.kinetic_energy(), energy, max_relative = CONSERVED_BY_RK4);
+    assert!((body.angular_momentum() - angular).norm() < CONSERVED_BY_RK4 * angular.norm());
+    assert!((body.linear_momentum() - linear).norm() < ROUND_OFF);
+    assert_relative_eq!(body.time, 10.0, max_relative = ROUND_OFF);
+}
+
+#[test]
+fn spin_about_a_symmetry_axis_is_the_closed_form() {
+    // symmetric top, torque-free: ω precesses in the body about z at (I3 - I1) / I1 ω3
+    let (side, axis, spin) = (1.0, 1.5, 4.0);
+    let mut body =
+        FreeBody::new(rigid(1.0, Vector3::new(side, side, axis))).with_spin(Vector3::new(0.3, 0.0, spin));
+    for _ in 0..2_000 {
+        body.step_rk4(1e-3, &()).unwrap();
+    }
+    let phase = (axis - side) / side * spin * body.time;
+    let expected = Vector3::new(0.3 * phase.cos(), 0.3 * phase.sin(), spin);
+    assert!((body.state.angular_velocity - expected).norm() < CONSERVED_BY_RK4, "{:?}", body.state);
+}
+
+#[test]
+fn free_fall_is_exact_and_does_not_turn() {
+    let gravity = Gravity { acceleration: Vector3::new(0.3, -0.2, -9.81) };
+    for implicit in [false, true] {
+        let mut body = tumbling().with_spin(Vector3::zeros());
+        let (start, velocity) = (body.state.position, body.state.velocity);
+        let energy = body.kinetic_energy() + body.potential_energy(&gravity.acceleration);
+        for _ in 0..50 {
+            let step = 0.02;
+            let report = if implicit {
+                body.step_linearly_implicit(step, &gravity)
+            } else {
+                body.step_rk4(step, &gravity)
+            };
+            report.unwrap();
+        }
+        let expected = start + velocity * body.time + gravity.acceleration * (0.5 * body.time * body.time);
+        assert!((body.state.position - expected).norm() < ROUND_OFF, "{implicit}: {}", body.state.position);
+        assert_eq!(body.state.orientation, UnitQuaternion::identity());
+        let after = body.kinetic_energy() + body.potential_energy(&gravity.acceleration);
+        assert_relative_eq!(after, energy, max_relative = ROUND_OFF);
+    }
+}
+
+#[test]
+fn orders_of_convergence_are_four_and_two() {
+    let run = |steps: usize, implicit: bool| -> State<0> {
+        let mut body = tumbling();
+        let step = 1.0 / steps as f64;
+        for _ in 0..steps {
+            if implicit {
+                body.step_linearly_implicit(step, &()).unwrap();
+            } else {
+                body.step_rk4(step, &()).unwrap();
+            }
+        }
+        body.state
+    };
+    let fine = run(4_000, false);
+    let error = |state: &State<0>| {
+        (state.angular_velocity - fine.angular_velocity).norm()
+            + state.orientation.angle_to(&fine.orientation)
+    };
+    let explicit = measured_order(20, 4, |steps| error(&run(steps, false)));
+    assert!((explicit - 4.0).abs() < SLOPE, "{explicit}");
+    let implicit = measured_order(100, 4, |steps| error(&run(steps, true)));
+    assert!((implicit - 2.0).abs() < SLOPE, "{implicit}");
+}
