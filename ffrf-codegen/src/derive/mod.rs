@@ -6,5 +6,5 @@
 mod energy;
 mod euler_poincare;
 
-pub use energy::{KineticEnergy, RawInertia};
+pub use energy::{KineticEnergy, Matrix, RawInertia};
 pub use euler_poincare::EulerPoincare;

@@ -13,7 +13,7 @@ mod constant;
 mod differentiate;
 mod graph;
 mod interpret;
-mod symbol;
+pub(crate) mod symbol;
 mod vector;
 
 pub use constant::Constant;

@@ -1,0 +1,88 @@
+//! What can go wrong between a model and its code.
+
+use ffrf_model::ModelError;
+
+/// Why no code was generated.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CodegenError {
+    /// The body's lists do not fit together, a number is not finite, or there are too few modes.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// The layout tolerance must be a small relative number.
+    #[error("layout tolerance must be at least 0 and below 1, found {found}")]
+    LayoutTolerance {
+        /// The value given.
+        found: f64,
+    },
+    /// An invariant was declared with a structure that it cannot have.
+    #[error("{invariant} cannot be {found}, expected one of: {expected}")]
+    Structure {
+        /// Name of the invariant.
+        invariant: &'static str,
+        /// The structure declared.
+        found: &'static str,
+        /// The structures that make sense.
+        expected: String,
+    },
+    /// The name does not stand for a type.
+    #[error("`{found}` is not a name for a type")]
+    Name {
+        /// The name given.
+        found: String,
+    },
+    /// The mass left after eliminating the modes is not positive: the modes contain rigid-body motion.
+    #[error(
+        "the modes are not independent of rigid-body motion: pivot {pivot} of the reduced mass is {found:e}, expected > 0"
+    )]
+    DependentModes {
+        /// Which pivot of the elimination.
+        pivot: usize,
+        /// Its value.
+        found: f64,
+    },
+    /// A constant of a kernel is not finite.
+    #[error("{kernel}: node {node} is the constant {found}, expected a finite number")]
+    NotFinite {
+        /// Name of the kernel.
+        kernel: &'static str,
+        /// Index of the node.
+        node: usize,
+        /// Its value.
+        found: f64,
+    },
+    /// A kernel uses an input that it does not have.
+    #[error("{kernel}: {symbol} is not an input of this kernel")]
+    UndefinedSymbol {
+        /// Name of the kernel.
+        kernel: &'static str,
+        /// Name of the symbol.
+        symbol: String,
+    },
+    /// A node refers to a later node, or to none.
+    #[error("{kernel}: node {node} refers to node {operand}, expected an earlier one")]
+    ForwardReference {
+        /// Name of the kernel.
+        kernel: &'static str,
+        /// Index of the node.
+        node: usize,
+        /// Index of its operand.
+        operand: usize,
+    },
+    /// A kernel has the wrong number of results.
+    #[error("{kernel}: {found} results, expected {expected}")]
+    OutputCount {
+        /// Name of the kernel.
+        kernel: &'static str,
+        /// Number of results that the formulation made.
+        found: usize,
+        /// Number of results that the signature needs.
+        expected: usize,
+    },
+    /// The text is not a sequence of Rust tokens: a defect of the emitter.
+    #[error("the generated text is not valid Rust: {message}")]
+    Tokens {
+        /// What the lexer says.
+        message: String,
+    },
+}

@@ -1,0 +1,103 @@
+//! Finding the layout of a model by a relative tolerance.
+//!
+//! The invariants are a Gram matrix, so the Cauchy-Schwarz inequality gives each entry its natural scale:
+//! an entry counts as zero if it is below the tolerance times that scale.
+
+use ffrf_model::{Matrix3, ReducedBody};
+
+use super::{Layout, Structure};
+
+/// Norms, in the mass inner product, of the fields that the invariants are products of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GramScales {
+    /// √m
+    pub translation: f64,
+    /// √tr T
+    pub position: f64,
+    /// √tr T_μμ
+    pub modes: Vec<f64>,
+    /// √K_μμ
+    pub stiffness: Vec<f64>,
+    /// √D_μμ
+    pub damping: Vec<f64>,
+}
+
+impl GramScales {
+    /// The scales of a body.
+    pub fn of(body: &ReducedBody) -> Self {
+        let root = |value: f64| value.max(0.0).sqrt();
+        let trace = |matrix: &Matrix3| matrix[0][0] + matrix[1][1] + matrix[2][2];
+        let inertia = &body.inertia;
+        let modes = 0..body.mode_count();
+        let scales = |matrix: &[Vec<f64>]| modes.clone().map(|mu| root(matrix[mu][mu])).collect();
+        Self {
+            translation: root(inertia.mass),
+            position: root(trace(&inertia.second_moment)),
+            modes: modes.clone().map(|mu| root(trace(&inertia.mode_mode_moment[mu][mu]))).collect(),
+            stiffness: scales(&body.stiffness),
+            damping: scales(&body.damping),
+        }
+    }
+}
+
+/// The most special layout that holds for `body` within `tolerance`.
+pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
+    let scales = GramScales::of(body);
+    let inertia = &body.inertia;
+    let count = body.mode_count();
+    let modal_mass = inertia.modal_mass();
+    let small = |value: f64, scale: f64| value.abs() <= tolerance * scale;
+    let zero_or_dense = |zero: bool| if zero { Structure::Zero } else { Structure::Dense };
+    let matrix3 = |matrix: &Matrix3, scale: f64| {
+        let structure = Structure::of_matrix(3, |i, j| matrix[i][j], |_, _, value| small(value, scale));
+        // A mode-moment equal to the unit matrix is chance; nothing is made of it.
+        if structure == Structure::Identity { Structure::Diagonal } else { structure }
+    };
+    let modal = |matrix: &[Vec<f64>], scale: &[f64]| {
+        Structure::of_matrix(
+            count,
+            |mu, nu| matrix[mu][nu],
+            |mu, nu, value| small(value, scale[mu] * scale[nu]),
+        )
+    };
+    let join = |structures: &mut dyn Iterator<Item = Structure>| {
+        structures.reduce(Structure::join).unwrap_or(Structure::Zero)
+    };
+    let position_square = scales.position * scales.position;
+    Layout {
+        first_moment: zero_or_dense(
+            inertia.first_moment.iter().all(|&x| small(x, scales.translation * scales.position)),
+        ),
+        modal_first_moment: zero_or_dense((0..count).all(|mu| {
+            let scale = scales.translation * scales.modes[mu];
+            inertia.modal_first_moment[mu].iter().all(|&x| small(x, scale))
+        })),
+        second_moment: at_least_diagonal(matrix3(&inertia.second_moment, position_square)),
+        position_mode_moment: join(
+            &mut (0..count)
+                .map(|mu| matrix3(&inertia.position_mode_moment[mu], scales.position * scales.modes[mu])),
+        ),
+        mode_mode_moment: join(&mut (0..count).flat_map(|mu| {
+            let scales = &scales;
+            (0..count).map(move |nu| {
+                matrix3(&inertia.mode_mode_moment[mu][nu], scales.modes[mu] * scales.modes[nu])
+            })
+        })),
+        modal_mass: if count == 0 {
+            Structure::Identity
+        } else {
+            at_least_diagonal(modal(&modal_mass, &scales.modes))
+        },
+        stiffness: modal(&body.stiffness, &scales.stiffness),
+        damping: modal(&body.damping, &scales.damping),
+    }
+}
+
+/// A tensor that is never zero: zero, as found in degenerate bodies, is diagonal; unequal transposes are round-off.
+fn at_least_diagonal(structure: Structure) -> Structure {
+    match structure {
+        Structure::Zero => Structure::Diagonal,
+        Structure::Antisymmetric | Structure::Dense => Structure::Symmetric,
+        other => other,
+    }
+}
