@@ -3,6 +3,7 @@
 //! - [`FlexibleBody`] is what the generator implements: kernels, resolved in the body frame.
 //! - [`FreeBody`] is a body with [`State`] and time; it steps under a [`Load`] and knows its energy and momentum.
 //! - [`step_rk4`] is explicit (order 4), [`step_linearly_implicit`] is for stiff modes (order 2).
+//! - [`forms`] makes the inertial and the Euler-parameter form of the equations out of the kernels' one.
 //! - [`rotation`] states the one convention of rotations.
 //!
 //! Nothing here allocates or panics; a step does bounded work and either succeeds or leaves the state as it was.
@@ -24,6 +25,7 @@ compile_error!(
 
 mod augmented_mass;
 mod flexible_body;
+pub mod forms;
 mod free_body;
 #[doc(hidden)]
 pub mod generated_support;
