@@ -8,7 +8,7 @@ use super::naive_body::{Invariants, NaiveBody};
 /// A cloud of eight point masses with `M` modes, without any symmetry, from a seeded sequence.
 ///
 /// The modes are not orthogonal and not free of rigid motion; K_ff is diagonal, `stiffness` times 1, 2, ...
-/// Masses of about 1 kg within about 1 m. The point `k` is also given as a marker.
+/// Masses of about 1 kg within about 1 m, the same for each `M`. The points are also given as markers.
 pub fn cloud<const M: usize, const N: usize>(
     seed: u64,
     stiffness: f64,
@@ -19,6 +19,8 @@ pub fn cloud<const M: usize, const N: usize>(
     let mut markers = [Marker::<M>::rigid([0.0; 3]); 8];
     for marker in &mut markers {
         marker.position = core::array::from_fn(|_| 0.3 + random.next());
+    }
+    for marker in &mut markers {
         marker.translation = core::array::from_fn(|_| core::array::from_fn(|_| 0.5 * random.next()));
         marker.rotation = core::array::from_fn(|_| core::array::from_fn(|_| 0.5 * random.next()));
     }
