@@ -160,6 +160,19 @@ impl Fidelity {
     }
 }
 
+impl std::fmt::Display for Fidelity {
+    /// `full`, or the list of optional terms as it is written: `[first_moment, modal_rotation]`.
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Terms(terms) => {
+                let names: Vec<_> = terms.iter().map(|term| term.name()).collect();
+                write!(formatter, "[{}]", names.join(", "))
+            }
+            level => formatter.write_str(level.name()),
+        }
+    }
+}
+
 /// A fidelity that does not exist.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -209,6 +222,8 @@ mod tests {
         let list = Fidelity::from_term_names(["modal_rotation"]).unwrap();
         let kept: Vec<_> = list.terms().map(EnergyTerm::name).collect();
         assert_eq!(kept, ["translation", "rotation", "modal_rotation", "modal"]);
+        assert_eq!(list.to_string(), "[modal_rotation]");
+        assert_eq!(Fidelity::Full.to_string(), "full");
     }
 
     #[test]

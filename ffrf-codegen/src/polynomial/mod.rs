@@ -98,8 +98,10 @@ impl<V: Ord + Clone> Polynomial<V> {
     ///
     /// Errors: a coefficient overflows.
     pub fn add(&self, other: &Self) -> Result<Self, PolynomialError> {
-        let mut result = self.clone();
-        for (monomial, coefficient) in &other.terms {
+        let (long, short) =
+            if self.term_count() < other.term_count() { (other, self) } else { (self, other) };
+        let mut result = long.clone();
+        for (monomial, coefficient) in &short.terms {
             result.accumulate(monomial.clone(), *coefficient)?;
         }
         Ok(result)

@@ -10,5 +10,6 @@
 mod compare;
 mod energy;
 mod formulas;
+mod kernels;
 mod laws;
 mod misprints;

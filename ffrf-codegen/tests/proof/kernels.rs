@@ -1,0 +1,185 @@
+//! The fast kernels equal what the energy implies: coefficient by coefficient, at every layout and fidelity.
+
+use std::time::Instant;
+
+use ffrf_codegen::body::{BodyExpressions, raw_inertia};
+use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
+use ffrf_codegen::expression::{Expression, Graph, Node, Symbol, dot};
+use ffrf_codegen::fidelity::Fidelity;
+use ffrf_codegen::formulate::{
+    DeformedBody, State, angular_momentum, gravity_force, kinetic_energy, linear_momentum, mass_matrix,
+    quadratic_velocity,
+};
+use ffrf_codegen::layout::{Layout, Structure};
+use ffrf_codegen::polynomial::polynomials_of;
+
+use crate::compare::Equations;
+use crate::laws::all_fidelities;
+
+/// Every combination of structures that concern inertia, 600 of them.
+fn all_layouts() -> Vec<Layout> {
+    let mut layouts = vec![Layout::GENERAL];
+    // Stiffness and damping do not enter the kinetic energy.
+    for (name, _, admissible) in &Layout::GENERAL.entries()[..6] {
+        layouts = layouts
+            .iter()
+            .flat_map(|layout| {
+                admissible.iter().map(|structure| {
+                    let mut varied = *layout;
+                    assert!(varied.set(name, *structure));
+                    varied
+                })
+            })
+            .collect();
+    }
+    assert!(layouts.iter().all(|layout| layout.check().is_ok()));
+    layouts
+}
+
+/// Each structure of each invariant, the others as in the general and as in the free-free layout.
+fn single_layouts() -> Vec<Layout> {
+    let mut layouts = Vec::new();
+    for base in [Layout::GENERAL, Layout::FREE_FREE] {
+        for (name, _, admissible) in &base.entries()[..6] {
+            for structure in *admissible {
+                let mut varied = base;
+                assert!(varied.set(name, *structure));
+                if !layouts.contains(&varied) {
+                    layouts.push(varied);
+                }
+            }
+        }
+    }
+    layouts
+}
+
+/// Proves all polynomial kernels of one body; returns the number of monomials compared.
+fn prove(mode_count: usize, layout: &Layout, fidelity: &Fidelity) -> usize {
+    let mut graph = Graph::new();
+    let g = &mut graph;
+    let case = format!("M = {mode_count}, {layout}, {fidelity:?}");
+
+    // What the energy implies
+    let raw = raw_inertia(g, mode_count, layout);
+    let energy = KineticEnergy::new(g, &raw).truncated(g, fidelity);
+    let derived = EulerPoincare::new(g, energy, mode_count);
+    let gravity: [Expression; 3] = [0, 1, 2].map(|i| g.symbol(Symbol::Gravity(i)));
+    // A uniform field is an acceleration of the origin: the first three columns of the mass matrix.
+    let weight: Vec<_> =
+        derived.mass_matrix.iter().map(|row| dot(g, [row[0], row[1], row[2]], gravity)).collect();
+    let mut expected = vec![energy];
+    expected.extend(&derived.momentum[..6]);
+    expected.extend(weight);
+
+    // The fast kernels
+    let body = BodyExpressions::symbolic(g, mode_count, layout).truncated(g, fidelity);
+    let state = State::symbolic(g, mode_count);
+    let deformed = DeformedBody::new(g, &body, &state);
+    let columns = mass_matrix(g, &body, &deformed);
+    let quadratic = quadratic_velocity(g, &body, &state, &deformed);
+    let mut found = vec![kinetic_energy(g, &body, &state, &deformed)];
+    found.extend(linear_momentum(g, &body, &state, &deformed));
+    found.extend(angular_momentum(g, &state, &deformed));
+    found.extend(gravity_force(g, &body, &state, &deformed));
+
+    let fast = Equations::of(&graph, &columns, &quadratic);
+    let slow = Equations::derived(&graph, &derived);
+    assert_eq!(fast.differences(&slow), Vec::<String>::new(), "{case}");
+    let found = polynomials_of(&graph, &found).unwrap();
+    let expected = polynomials_of(&graph, &expected).unwrap();
+    assert_eq!(found, expected, "{case}: energy, momenta or gravity");
+    slow.monomials() + expected.iter().map(|polynomial| polynomial.term_count()).sum::<usize>()
+}
+
+fn prove_all(mode_counts: &[usize], layouts: &[Layout], fidelities: &[Fidelity]) {
+    for &mode_count in mode_counts {
+        let start = Instant::now();
+        let (mut proofs, mut monomials) = (0, 0);
+        for layout in layouts {
+            for fidelity in fidelities {
+                monomials += prove(mode_count, layout, fidelity);
+                proofs += 1;
+            }
+        }
+        let time = start.elapsed().as_secs_f64();
+        eprintln!("M = {mode_count}: {proofs} proofs, {monomials} monomials, {time:.2} s");
+    }
+}
+
+#[test]
+fn kernels_of_every_layout_and_level_equal_the_derived_equations() {
+    prove_all(&[0], &single_layouts(), &Fidelity::LEVELS);
+    prove_all(&[1], &all_layouts(), &Fidelity::LEVELS);
+    prove_all(&[2], &all_layouts(), &[Fidelity::Full]);
+}
+
+#[test]
+fn kernels_with_more_modes_equal_the_derived_equations() {
+    prove_all(&[2, 3, 4], &single_layouts(), &Fidelity::LEVELS);
+}
+
+#[test]
+fn kernels_of_every_list_of_terms_equal_the_derived_equations() {
+    prove_all(&[0, 1, 2, 3], &[Layout::GENERAL, Layout::FREE_FREE], &all_fidelities());
+}
+
+/// A copy of the graph with one node replaced, and the outputs in it.
+fn mutated(
+    graph: &Graph,
+    outputs: &[Expression],
+    target: Expression,
+    node: Node,
+) -> (Graph, Vec<Expression>) {
+    let mut copy = Graph::new();
+    // Nodes keep their handles: none is folded, and the replaced one refers to the same operands.
+    for (handle, original) in graph.nodes() {
+        let inserted = copy.insert(if handle == target { node } else { original });
+        if inserted != handle {
+            // The replacement equals an earlier node: keep the numbering with a node nobody uses.
+            copy.insert(Node::Symbol(Symbol::Intermediate("unused", handle.index())));
+        }
+    }
+    (copy, outputs.to_vec())
+}
+
+/// One wrong sign or one wrong operand order anywhere in the fast kernels makes the proof fail.
+#[test]
+fn any_wrong_sign_in_the_kernels_breaks_the_proof() {
+    let mode_count = 2;
+    let mut graph = Graph::new();
+    let body = BodyExpressions::symbolic(&mut graph, mode_count, &Layout::GENERAL);
+    let state = State::symbolic(&mut graph, mode_count);
+    let deformed = DeformedBody::new(&mut graph, &body, &state);
+    let columns = mass_matrix(&mut graph, &body, &deformed);
+    let outputs = [columns.concat(), quadratic_velocity(&mut graph, &body, &state, &deformed)].concat();
+    let right = polynomials_of(&graph, &outputs).unwrap();
+    let needed = graph.reachable(&outputs);
+    let mut mutants = 0;
+    for (handle, node) in graph.nodes().filter(|(handle, _)| needed.get(handle.index()) == Some(&true)) {
+        let wrong = match node {
+            Node::Add(a, b) => Node::Subtract(a, b),
+            Node::Subtract(a, b) => Node::Subtract(b, a),
+            Node::Negate(a) => Node::Add(a, a),
+            Node::Multiply(a, b) if a != b => Node::Multiply(a, a),
+            _ => continue,
+        };
+        let (copy, outputs) = mutated(&graph, &outputs, handle, wrong);
+        let found = polynomials_of(&copy, &outputs).unwrap();
+        assert_ne!(found, right, "{handle:?}: {node:?} as {wrong:?} goes unnoticed");
+        mutants += 1;
+    }
+    eprintln!("{mutants} mutants, all found");
+    assert!(mutants > 200);
+}
+
+/// What the proof proves is not empty: the general layout has as many monomials as the written formulas.
+#[test]
+fn the_general_layout_leaves_every_invariant_a_symbol() {
+    let counts: Vec<usize> =
+        (0..5).map(|mode_count| prove(mode_count, &Layout::GENERAL, &Fidelity::Full)).collect();
+    eprintln!("monomials of the general layout: {counts:?}");
+    assert!(counts.windows(2).all(|pair| pair[0] < pair[1]));
+    let mut free = Layout::FREE_FREE;
+    free.modal_mass = Structure::Diagonal;
+    assert!(prove(4, &free, &Fidelity::Full) < counts[4]);
+}
