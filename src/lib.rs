@@ -1,5 +1,15 @@
 //! Compile-time specialised flexible-body dynamics (floating frame of reference formulation).
+//!
+//! A finite-element model, reduced to a few modes by the `ffrf` command, becomes a Rust type: [`flexible_body!`]
+//! reads the model while your crate compiles and generates mass matrix, quadratic velocity vector and forward
+//! dynamics as straight-line code on the stack, without allocation, panics or `unsafe`.
+//!
+//! The facade re-exports the runtime ([`FlexibleBody`], states, integrators), the macro, and [`nalgebra`].
 #![no_std]
 #![forbid(unsafe_code)]
 
+pub use ffrf_macros::flexible_body;
 pub use ffrf_runtime::*;
+
+#[doc(hidden)]
+pub use ffrf_runtime::generated_support;

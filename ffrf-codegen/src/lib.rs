@@ -1,4 +1,12 @@
 //! From a reduced flexible body to Rust kernels.
+//!
+//! ```text
+//! ReducedBody --layout--> BodyExpressions --formulate--> Kernel --passes--> Kernel
+//!             --validate--> ValidKernel --emit--> text and tokens
+//! ```
+//!
+//! One generator, three doors: the macro `ffrf::flexible_body!`, the command `ffrf generate`, and a build script
+//! that calls [`generate`] and writes [`GeneratedCode::text`] to a file. A pure library: no files, no environment.
 #![forbid(unsafe_code)]
 
 pub mod body;
@@ -9,9 +17,22 @@ pub mod formulate;
 pub mod layout;
 pub mod polynomial;
 
+mod counts;
+mod emit;
 mod error;
+mod generate;
+mod interpreted;
 mod options;
+pub mod passes;
+mod report;
+mod validate;
 
+pub use counts::OperationCounts;
 pub use error::CodegenError;
 pub use fidelity::Fidelity;
+pub use generate::{GeneratedCode, generate};
+pub use interpreted::{KernelInput, Kernels};
 pub use options::{DEFAULT_LAYOUT_TOLERANCE, FusedMultiplyAdd, GenerateOptions, ScalarType};
+pub use report::{KernelReport, Report, Source};
+
+use generate::prepare;

@@ -1,2 +1,32 @@
-//! The `flexible_body!` macro.
+//! The `flexible_body!` macro: parse, read the model, call the generator, report errors with their places.
 #![forbid(unsafe_code)]
+
+mod expand;
+mod fallback;
+mod parse;
+mod validate;
+
+use proc_macro::TokenStream;
+
+/// Generates a flexible body from a model file, or for invariants that are supplied at run time.
+///
+/// ```text
+/// ffrf::flexible_body! {
+///     /// Rotor with disc.
+///     pub struct Rotor {
+///         model: "models/rotor.ffrf.json",   // relative to the folder of Cargo.toml
+///         modes: ..8,                        // optional: use the first 8 modes only
+///         scalar: f64,                       // optional: f64 (default) or f32
+///         fidelity: full,                    // optional: rigid, constant, linear, full, or a list of energy terms
+///         fma: auto,                         // optional: auto (default), on, off
+///         layout_tolerance: 1e-13,           // optional: what counts as zero, relative to its Gram scale
+///     }
+/// }
+/// ```
+///
+/// The result is a unit struct that implements `ffrf::FlexibleBody<M, N, scalar>`, with a constant for each marker
+/// of the model. When the model file changes, the crate is rebuilt.
+#[proc_macro]
+pub fn flexible_body(input: TokenStream) -> TokenStream {
+    expand::flexible_body(input.into()).into()
+}

@@ -40,6 +40,24 @@ pub enum Symbol {
     Intermediate(&'static str, usize),
 }
 
+impl Symbol {
+    /// Whether the symbol is an invariant of the body, not a part of its state.
+    pub fn is_parameter(self) -> bool {
+        matches!(
+            self,
+            Self::Mass
+                | Self::FirstMoment(..)
+                | Self::ModalFirstMoment(..)
+                | Self::SecondMoment(..)
+                | Self::PositionModeMoment(..)
+                | Self::ModeModeMoment(..)
+                | Self::ModalMass(..)
+                | Self::Stiffness(..)
+                | Self::Damping(..)
+        )
+    }
+}
+
 /// Names of the three axes.
 pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 

@@ -1,0 +1,111 @@
+//! The implementation of the trait: nalgebra outside, arrays inside.
+
+use crate::formulate::{Argument, KernelKind, OutputShape};
+use crate::{FusedMultiplyAdd, GenerateOptions, ScalarType};
+
+/// What functions may call, with the line that brings it into scope.
+pub(super) fn imports(options: &GenerateOptions) -> [(String, String); 2] {
+    let suffix = match options.scalar {
+        ScalarType::F64 => "",
+        ScalarType::F32 => "_f32",
+    };
+    let fused = match options.fused_multiply_add {
+        FusedMultiplyAdd::On => "always_fused_multiply_add",
+        FusedMultiplyAdd::Auto | FusedMultiplyAdd::Off => "fused_multiply_add",
+    };
+    let alias = |name: &str, short: &str| match name == short {
+        true => format!("use ::ffrf::generated_support::{name};"),
+        false => format!("use ::ffrf::generated_support::{name} as {short};"),
+    };
+    [
+        ("fma(".to_owned(), alias(&format!("{fused}{suffix}"), "fma")),
+        ("square_root(".to_owned(), alias(&format!("square_root{suffix}"), "square_root")),
+    ]
+}
+
+/// `impl FlexibleBody<M, N, scalar> for NAME`.
+pub(super) fn implementation(
+    options: &GenerateOptions,
+    mode_count: usize,
+    parameters: Option<&str>,
+    extra_methods: &str,
+) -> String {
+    let size = 6 + mode_count;
+    let scalar = options.scalar.name();
+    let methods: Vec<String> = KernelKind::ALL
+        .into_iter()
+        .map(|kind| method(kind, mode_count, scalar, parameters.is_some()))
+        .collect();
+    format!(
+        "    #[automatically_derived]
+    impl ::ffrf::FlexibleBody<{mode_count}, {size}, {scalar}> for {} {{
+{}{extra_methods}    }}
+",
+        options.name,
+        methods.join("\n")
+    )
+}
+
+fn method(kind: KernelKind, mode_count: usize, scalar: &str, has_parameters: bool) -> String {
+    let vector = |size: usize| match size {
+        3 => format!("::ffrf::nalgebra::Vector3<{scalar}>"),
+        _ => format!("::ffrf::nalgebra::SVector<{scalar}, {size}>"),
+    };
+    let mut inputs = vec!["&self".to_owned()];
+    let mut values = Vec::new();
+    if has_parameters {
+        values.push("self".to_owned());
+    }
+    for argument in kind.arguments() {
+        let name = match argument {
+            Argument::Coordinates => "q",
+            Argument::Velocity => "velocity",
+            Argument::AngularVelocity => "omega",
+            Argument::Rates => "q_dot",
+            Argument::Force => "force",
+            Argument::Gravity => "gravity",
+        };
+        inputs.push(format!("{name}: &{}", vector(argument.size(mode_count))));
+        values.push(format!("support::array({name})"));
+    }
+    let wrap = |shape: OutputShape, value: &str| match shape {
+        OutputShape::Scalar => value.to_owned(),
+        OutputShape::Vector(_) => format!("support::vector({value})"),
+        OutputShape::Matrix(_) => format!("support::matrix({value})"),
+    };
+    let name = kind.name();
+    let size = 6 + mode_count;
+    let call = format!("{name}({})", values.join(", "));
+    let outputs = kind.outputs(mode_count);
+    let (result, body) = match outputs.as_slice() {
+        [shape] => {
+            let result = match shape {
+                OutputShape::Scalar => scalar.to_owned(),
+                OutputShape::Vector(size) => vector(*size),
+                OutputShape::Matrix(size) => format!("::ffrf::nalgebra::SMatrix<{scalar}, {size}, {size}>"),
+            };
+            (result, wrap(*shape, &call))
+        }
+        _ => (
+            format!("::ffrf::EquationsOfMotion<{mode_count}, {size}, {scalar}>"),
+            format!(
+                "let (mass_matrix, quadratic_velocity, acceleration) = {call};
+            ::ffrf::EquationsOfMotion {{
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }}"
+            ),
+        ),
+    };
+    format!(
+        "        #[inline]
+        fn {name}(
+            {},
+        ) -> {result} {{
+            {body}
+        }}
+",
+        inputs.join(",\n            ")
+    )
+}

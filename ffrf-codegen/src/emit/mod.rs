@@ -1,0 +1,85 @@
+//! Emission: validated kernels as Rust text.
+//!
+//! The text is the one form: the tokens of the macro are the tokens of that text, comments left out.
+
+mod banner;
+mod documentation;
+mod expression_text;
+mod function;
+mod implementation;
+mod literal;
+mod markers;
+mod names;
+mod parameters;
+mod structure;
+
+use ffrf_model::ReducedBody;
+
+use self::function::{FunctionStyle, function};
+use crate::GenerateOptions;
+use crate::report::Report;
+use crate::validate::ValidKernel;
+
+/// The whole text of a body whose numbers are baked in.
+pub(crate) fn baked_body(
+    body: &ReducedBody,
+    kernels: &[ValidKernel],
+    report: &Report,
+    options: &GenerateOptions,
+) -> String {
+    let mut text = head(report, options);
+    text.push_str(&structure::unit_struct(body, report, options));
+    text.push('\n');
+    text.push_str(&markers::inherent_constants(body, report, options));
+    text.push('\n');
+    text.push_str(&kernels_block(kernels, options, None, &markers::trait_method(body, options)));
+    text
+}
+
+fn head(report: &Report, options: &GenerateOptions) -> String {
+    let mut text = String::new();
+    for line in banner::banner(options, report) {
+        text.push_str(format!("// {line}").trim_end());
+        text.push('\n');
+    }
+    text.push('\n');
+    text
+}
+
+/// Functions and trait implementation in a scope of their own, so that no name can clash.
+fn kernels_block(
+    kernels: &[ValidKernel],
+    options: &GenerateOptions,
+    parameters: Option<&str>,
+    extra_methods: &str,
+) -> String {
+    let style = FunctionStyle { scalar: options.scalar, parameters };
+    let functions: Vec<String> = kernels.iter().map(|kernel| function(kernel, style, "    ")).collect();
+    let functions = functions.join("\n");
+    let mode_count = kernels.first().map_or(0, |kernel| kernel.kernel().mode_count);
+    let mut text = String::from(ALLOWED);
+    text.push_str("const _: () = {\n");
+    text.push_str("    use ::ffrf::generated_support as support;\n");
+    for (call, import) in implementation::imports(options) {
+        if functions.contains(&call) {
+            text.push_str(&format!("    {import}\n"));
+        }
+    }
+    text.push('\n');
+    text.push_str(&functions);
+    text.push('\n');
+    text.push_str(&implementation::implementation(options, mode_count, parameters, extra_methods));
+    text.push_str("};\n");
+    text
+}
+
+/// The user's lints are for the user's code.
+const ALLOWED: &str = "#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    unused_imports,
+    unused_qualifications,
+    unused_variables
+)]
+";

@@ -1,0 +1,90 @@
+//! The struct of a body and its constants.
+
+use std::fmt::Write as _;
+
+use ffrf_model::ReducedBody;
+
+use super::function::bracketed;
+use super::literal::literal;
+use crate::report::Report;
+use crate::{GenerateOptions, ScalarType};
+
+/// The unit struct, with the user's attributes.
+pub(super) fn unit_struct(body: &ReducedBody, report: &Report, options: &GenerateOptions) -> String {
+    let mut text = String::new();
+    for attribute in &options.attributes {
+        let _ = writeln!(text, "{attribute}");
+    }
+    if !options.attributes.iter().any(|attribute| is_documentation(attribute)) {
+        let _ =
+            writeln!(text, "/// Flexible body \"{}\" with {} modes.", plain(&body.title), report.mode_count);
+    }
+    let visibility = visibility(options);
+    let _ = writeln!(text, "#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]");
+    let _ = writeln!(text, "{visibility}struct {};", options.name);
+    text
+}
+
+pub(super) fn is_documentation(attribute: &str) -> bool {
+    attribute.trim_start().starts_with("///") || attribute.replace(' ', "").starts_with("#[doc=")
+}
+
+/// The visibility with a space after it, if there is one.
+pub(super) fn visibility(options: &GenerateOptions) -> String {
+    match options.visibility.as_str() {
+        "" => String::new(),
+        visibility => format!("{visibility} "),
+    }
+}
+
+/// A title without line breaks.
+pub(super) fn plain(title: &str) -> String {
+    title.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Constants that every baked body has. Names that markers cannot take.
+pub(super) fn constants(
+    body: &ReducedBody,
+    report: &Report,
+    options: &GenerateOptions,
+) -> Vec<(String, String)> {
+    let visibility = visibility(options);
+    let modes = report.mode_count;
+    let frequencies: Vec<String> = body
+        .modes
+        .iter()
+        .map(|mode| match mode.frequency_hz {
+            Some(frequency) => {
+                format!("::core::option::Option::Some({})", literal(frequency, ScalarType::F64))
+            }
+            None => "::core::option::Option::None".to_owned(),
+        })
+        .collect();
+    let list = bracketed(&frequencies, "    ").join("\n");
+    let scalar = options.scalar.name();
+    let mass = literal(body.inertia.mass, options.scalar);
+    let mut constants = vec![
+        (
+            "MODE_COUNT",
+            format!("    /// Number of modes M.\n    {visibility}const MODE_COUNT: usize = {modes};\n"),
+        ),
+        ("MASS", format!("    /// Mass m. Units: kg.\n    {visibility}const MASS: {scalar} = {mass};\n")),
+        (
+            "FREQUENCIES_HZ",
+            format!(
+                "    /// Natural frequency of each mode that is an eigenmode. Units: Hz.\n    {visibility}const FREQUENCIES_HZ: [::core::option::Option<f64>; {modes}] = {};\n",
+                list.trim_start()
+            ),
+        ),
+    ];
+    if let Some(source) = &report.source {
+        constants.push((
+            "MODEL_FINGERPRINT",
+            format!(
+                "    /// Hash of the model's content, to tell versions apart.\n    {visibility}const MODEL_FINGERPRINT: u64 = 0x{:016x};\n",
+                source.fingerprint
+            ),
+        ));
+    }
+    constants.into_iter().map(|(name, text)| (name.to_owned(), text)).collect()
+}

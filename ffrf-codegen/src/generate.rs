@@ -1,0 +1,88 @@
+//! The generator: a body in, Rust out. The macro, build scripts and the command line all come through here.
+
+use ffrf_model::ReducedBody;
+use proc_macro2::TokenStream;
+
+use crate::body::BodyExpressions;
+use crate::counts::OperationCounts;
+use crate::emit;
+use crate::expression::Graph;
+use crate::formulate::{Kernel, KernelKind};
+use crate::layout::found;
+use crate::passes;
+use crate::report::{KernelReport, Report, Source};
+use crate::validate::ValidKernel;
+use crate::{CodegenError, GenerateOptions};
+
+/// A generated body.
+#[derive(Debug, Clone)]
+pub struct GeneratedCode {
+    /// The code as readable text, with comments and counts.
+    pub text: String,
+    /// The tokens of that text.
+    pub tokens: TokenStream,
+    /// Layout found and cost of each kernel.
+    pub report: Report,
+}
+
+/// Generates the code of a body whose numbers are baked in.
+///
+/// The same body and options give the same text, to the byte. Errors: see [`CodegenError`]. Panics: never.
+pub fn generate(body: &ReducedBody, options: &GenerateOptions) -> Result<GeneratedCode, CodegenError> {
+    let source = Source::of(body)?;
+    let body = prepare(body, options)?;
+    let mut graph = Graph::new();
+    let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
+        .truncated(&mut graph, &options.fidelity);
+    let kernels = KernelKind::ALL
+        .into_iter()
+        .map(|kind| {
+            let kernel = Kernel::formulate(kind, graph.clone(), &expressions)?;
+            ValidKernel::new(passes::run(kernel, options.fused_multiply_add), false)
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let report = Report {
+        mode_count: body.mode_count(),
+        source: Some(source),
+        layout: found(&body, options.layout_tolerance),
+        kernels: kernels
+            .iter()
+            .map(|kernel| KernelReport {
+                name: kernel.kernel().kind.name(),
+                counts: OperationCounts::of(kernel.kernel()),
+            })
+            .collect(),
+    };
+    let text = emit::baked_body(&body, &kernels, &report, options);
+    finish(text, report)
+}
+
+fn finish(text: String, report: Report) -> Result<GeneratedCode, CodegenError> {
+    let tokens = text
+        .parse()
+        .map_err(|error: proc_macro2::LexError| CodegenError::Tokens { message: error.to_string() })?;
+    Ok(GeneratedCode { text, tokens, report })
+}
+
+/// The body with the modes that the options want; checks both.
+pub(crate) fn prepare(body: &ReducedBody, options: &GenerateOptions) -> Result<ReducedBody, CodegenError> {
+    let tolerance = options.layout_tolerance;
+    if !(0.0..1.0).contains(&tolerance) {
+        return Err(CodegenError::LayoutTolerance { found: tolerance });
+    }
+    check_name(&options.name)?;
+    body.check_shape()?;
+    match options.modes {
+        Some(count) => Ok(body.with_modes(count)?),
+        None => Ok(body.clone()),
+    }
+}
+
+fn check_name(name: &str) -> Result<(), CodegenError> {
+    let mut characters = name.chars();
+    let starts = characters.next().is_some_and(|c| c.is_alphabetic() || c == '_');
+    if starts && name != "_" && characters.all(|c| c.is_alphanumeric() || c == '_') {
+        return Ok(());
+    }
+    Err(CodegenError::Name { found: name.to_owned() })
+}

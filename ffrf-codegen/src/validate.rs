@@ -1,0 +1,118 @@
+//! The validator: the only maker of what the emitter accepts.
+
+use crate::CodegenError;
+use crate::expression::{Expression, Node, Symbol};
+use crate::formulate::Kernel;
+
+/// A kernel whose constants are finite, whose inputs are in its signature, whose nodes refer backwards, and
+/// which has as many results as its signature needs.
+#[derive(Debug, Clone)]
+pub struct ValidKernel(Kernel);
+
+impl ValidKernel {
+    /// Checks a kernel; `has_parameters` says whether the body's invariants are inputs.
+    ///
+    /// Errors: `OutputCount`, `NotFinite`, `UndefinedSymbol`, `ForwardReference`.
+    pub fn new(kernel: Kernel, has_parameters: bool) -> Result<Self, CodegenError> {
+        let name = kernel.kind.name();
+        let expected = kernel.kind.outputs(kernel.mode_count).iter().map(|shape| shape.entries()).sum();
+        if kernel.outputs.len() != expected {
+            return Err(CodegenError::OutputCount { kernel: name, found: kernel.outputs.len(), expected });
+        }
+        for (handle, node) in kernel.graph.nodes() {
+            check_node(&kernel, handle, node, has_parameters)?;
+        }
+        if let Some(output) = kernel.outputs.iter().find(|output| output.index() >= kernel.graph.len()) {
+            let (node, operand) = (kernel.graph.len(), output.index());
+            return Err(CodegenError::ForwardReference { kernel: name, node, operand });
+        }
+        Ok(Self(kernel))
+    }
+
+    /// The kernel.
+    pub fn kernel(&self) -> &Kernel {
+        &self.0
+    }
+}
+
+fn check_node(
+    kernel: &Kernel,
+    handle: Expression,
+    node: Node,
+    has_parameters: bool,
+) -> Result<(), CodegenError> {
+    let name = kernel.kind.name();
+    match node {
+        Node::Constant(constant) if !constant.value().is_finite() => {
+            return Err(CodegenError::NotFinite {
+                kernel: name,
+                node: handle.index(),
+                found: constant.value(),
+            });
+        }
+        Node::Symbol(symbol) if !is_input(kernel, symbol, has_parameters) => {
+            return Err(CodegenError::UndefinedSymbol { kernel: name, symbol: symbol.to_string() });
+        }
+        _ => {}
+    }
+    match node.operands().find(|operand| *operand >= handle) {
+        Some(operand) => Err(CodegenError::ForwardReference {
+            kernel: name,
+            node: handle.index(),
+            operand: operand.index(),
+        }),
+        None => Ok(()),
+    }
+}
+
+fn is_input(kernel: &Kernel, symbol: Symbol, has_parameters: bool) -> bool {
+    let argument = kernel
+        .kind
+        .arguments()
+        .iter()
+        .any(|argument| (0..argument.size(kernel.mode_count)).any(|k| argument.symbol(k) == symbol));
+    argument || (has_parameters && symbol.is_parameter())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::Graph;
+    use crate::formulate::KernelKind;
+
+    fn energy(build: impl FnOnce(&mut Graph) -> Vec<Expression>) -> Result<ValidKernel, String> {
+        let mut graph = Graph::new();
+        let outputs = build(&mut graph);
+        let kernel = Kernel { kind: KernelKind::ElasticEnergy, mode_count: 1, graph, outputs };
+        ValidKernel::new(kernel, false).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn a_sound_kernel_passes() {
+        let kernel = energy(|graph| {
+            let q = graph.symbol(Symbol::Coordinate(0));
+            vec![graph.multiply(q, q)]
+        });
+        assert_eq!(kernel.unwrap().kernel().graph.len(), 2);
+    }
+
+    #[test]
+    fn constants_that_are_not_finite_are_refused() {
+        let error = energy(|graph| vec![graph.constant(f64::INFINITY)]).unwrap_err();
+        assert_eq!(error, "elastic_energy: node 0 is the constant inf, expected a finite number");
+    }
+
+    #[test]
+    fn foreign_inputs_are_refused() {
+        let error = energy(|graph| vec![graph.symbol(Symbol::Rate(0))]).unwrap_err();
+        assert_eq!(error, "elastic_energy: q_dot0 is not an input of this kernel");
+        assert!(energy(|graph| vec![graph.symbol(Symbol::Coordinate(1))]).is_err());
+        assert!(energy(|graph| vec![graph.symbol(Symbol::Mass)]).is_err());
+    }
+
+    #[test]
+    fn missing_results_are_refused() {
+        let error = energy(|_| vec![]).unwrap_err();
+        assert_eq!(error, "elastic_energy: 0 results, expected 1");
+    }
+}
