@@ -37,7 +37,7 @@ fn a_step_of_a_thousand_periods_is_stable() {
     for _ in 0..1_000 {
         body.step_linearly_implicit(step, &()).unwrap();
     }
-    // ten seconds, three turns: second order in 0.01 times the spin of 2.3 rad/s
+    // ten seconds, almost four turns: second order in 0.01 times the spin of 2.3 rad/s
     assert!(
         (body.kinetic_energy() - energy).abs() < SLOW_MOTION_AT_LARGE_STEP * energy,
         "{} {energy}",

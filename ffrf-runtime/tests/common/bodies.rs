@@ -63,13 +63,20 @@ fn point_mass_invariants<const M: usize>(
 
 /// A rigid body with its frame in the centre of mass and these principal moments of inertia.
 pub fn rigid(mass: f64, principal: Vector3<f64>) -> NaiveBody<0, 6> {
-    // Θ = tr(T) I - T, so T = ½ tr(Θ) I - Θ
+    rigid_about(mass, Vector3::zeros(), principal)
+}
+
+/// A rigid body with these principal moments of inertia about its centre of mass, which lies at `centre`.
+pub fn rigid_about(mass: f64, centre: Vector3<f64>, principal: Vector3<f64>) -> NaiveBody<0, 6> {
+    // Θ = tr(T) I - T, so T = ½ tr(Θ) I - Θ; and Steiner's theorem for T
     let half_trace = 0.5 * principal.sum();
     NaiveBody::new(&Invariants {
         mass,
-        centre_of_mass: [0.0; 3],
+        centre_of_mass: centre.into(),
         modal_centre_of_mass: [],
-        euler_tensor: tensor(|i, j| if i == j { half_trace - principal[i] } else { 0.0 }),
+        euler_tensor: tensor(|i, j| {
+            mass * centre[i] * centre[j] + if i == j { half_trace - principal[i] } else { 0.0 }
+        }),
         modal_euler_tensor: [],
         modal_pair_euler_tensor: [],
         stiffness: [],

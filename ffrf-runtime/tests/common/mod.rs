@@ -3,5 +3,7 @@
 
 pub mod bodies;
 pub mod convergence;
+pub mod held;
 pub mod naive_body;
+pub mod reference;
 pub mod tolerances;

@@ -32,3 +32,6 @@ pub const QUIET_STIFF_MODES: f64 = 1e-6;
 
 /// f32 after some hundred steps of numbers of order ten: 200 steps times 10 times 6e-8.
 pub const SINGLE_PRECISION: f64 = 2e-4;
+
+/// Euler parameters of the heavy top in print: the two methods printed there differ by 1.5e-4 ... 2e-4.
+pub const HEAVY_TOP_IN_PRINT: f64 = 3e-4;

@@ -1,0 +1,73 @@
+//! What a step reports: error estimates that overstate the true error and shrink with their own order.
+#![allow(clippy::unwrap_used)] // helpers of tests are tests
+
+mod common;
+
+use common::bodies::cloud;
+use common::convergence::measured_order;
+use common::naive_body::NaiveBody;
+use common::tolerances::SLOPE;
+use ffrf_runtime::nalgebra::{Vector2, Vector3};
+use ffrf_runtime::{FreeBody, LocalError, StepReport};
+
+type Body = FreeBody<NaiveBody<2, 8>, 2, 8>;
+
+fn flying() -> Body {
+    FreeBody::new(cloud::<2, 8>(7, 40.0, 0.2).0)
+        .with_velocity(Vector3::new(0.5, -0.4, 0.2))
+        .with_spin(Vector3::new(1.0, 2.0, -0.5))
+        .with_deformation(Vector2::new(0.2, -0.1), Vector2::new(0.3, 0.5))
+}
+
+fn one_step(step: f64, implicit: bool) -> (Body, StepReport) {
+    let mut body = flying();
+    let report = if implicit { body.step_linearly_implicit(step, &()) } else { body.step_rk4(step, &()) };
+    (body, report.unwrap())
+}
+
+fn true_error(step: f64, body: &Body) -> LocalError {
+    let mut exact = flying();
+    for _ in 0..100 {
+        exact.step_rk4(step / 100.0, &()).unwrap();
+    }
+    LocalError {
+        position: (body.state.position - exact.state.position).amax(),
+        orientation: body.state.orientation.angle_to(&exact.state.orientation),
+        modal_coordinates: (body.state.modal_coordinates - exact.state.modal_coordinates).amax(),
+    }
+}
+
+#[test]
+fn estimates_overstate_the_error_of_the_step() {
+    for (implicit, step) in [(false, 0.02), (true, 0.005)] {
+        let (body, report) = one_step(step, implicit);
+        let (estimate, error) = (report.local_error, true_error(step, &body));
+        assert!(estimate.position > error.position, "{estimate:?} {error:?}");
+        assert!(estimate.orientation > error.orientation, "{estimate:?} {error:?}");
+        assert!(estimate.modal_coordinates > error.modal_coordinates, "{estimate:?} {error:?}");
+    }
+}
+
+#[test]
+fn estimates_have_the_order_of_the_embedded_method() {
+    // one step with a method of order p makes an error of order p + 1; embedded are p = 2 and p = 1
+    for (implicit, expected) in [(false, 3.0), (true, 2.0)] {
+        let order = measured_order(50, 4, |steps| {
+            one_step(1.0 / steps as f64, implicit).1.local_error.modal_coordinates
+        });
+        assert!((order - expected).abs() < SLOPE, "{order}");
+    }
+}
+
+#[test]
+fn the_quaternion_drifts_with_the_error_of_the_method_only() {
+    // one step leaves the unit sphere by less than its error: order 4 + 1 (or more) and 2 + 1
+    for (implicit, least) in [(false, 5.0), (true, 3.0)] {
+        let order = measured_order(10, 2, |steps| {
+            one_step(1.0 / steps as f64, implicit).1.quaternion_norm_drift.abs()
+        });
+        assert!(order > least - SLOPE, "{order}");
+    }
+    let (body, _) = one_step(0.1, false);
+    assert!((body.state.orientation.norm() - 1.0).abs() < common::tolerances::ROUND_OFF);
+}
