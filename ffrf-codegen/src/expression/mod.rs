@@ -13,6 +13,7 @@ mod constant;
 mod differentiate;
 mod graph;
 mod interpret;
+mod substitute;
 pub(crate) mod symbol;
 mod vector;
 
@@ -20,5 +21,6 @@ pub use constant::Constant;
 pub use differentiate::differentiate;
 pub use graph::{Expression, Graph, Label, Node};
 pub use interpret::{Scalar, evaluate};
+pub use substitute::substitute;
 pub use symbol::Symbol;
 pub use vector::{Symmetric3, Vector, cross, dot, negate3, subtract3, sum3, symmetric_times};

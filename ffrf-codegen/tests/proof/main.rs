@@ -8,8 +8,15 @@
 #![allow(clippy::unwrap_used)]
 
 mod compare;
+mod dual;
+mod dynamics;
 mod energy;
+mod exact;
 mod formulas;
+mod jacobians;
 mod kernels;
 mod laws;
 mod misprints;
+mod passes;
+mod sample;
+mod tolerances;
