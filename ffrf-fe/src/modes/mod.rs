@@ -1,5 +1,34 @@
 //! Mode bases: eigenmodes of K φ = ω² M φ, or shapes that the user supplies.
+//!
+//! The way through this module: a [`ModeRequest`] on an [`FeModel`](crate::FeModel) becomes a
+//! `Problem` on the degrees of freedom that may move; `rigid` finds the motions without strain;
+//! `dense` or `lanczos` finds the lowest elastic pairs; `canonical` fixes order, signs and the basis
+//! within repeated eigenvalues; `inertia_count` proves that none was missed; `report` says it all.
 
 mod basis;
+mod block;
+mod canonical;
+mod dense;
+mod error;
+mod factor;
+mod inertia_count;
+mod participation;
+mod problem;
+mod report;
+mod request;
+mod rigid;
+mod scale;
+mod solve;
+mod user;
 
 pub use basis::ModeBasis;
+pub use error::ModeError;
+pub use report::{ModeEntry, ModeReport, RigidModeEntry};
+pub use request::{Method, ModeRequest, ModeSolution, Progress, Stage, Support};
+pub use solve::compute_modes;
+pub use user::user_modes;
+
+pub(crate) use block::symmetric_eigen;
+pub(crate) use dense::{cholesky, generalised_eigen};
+pub(crate) use problem::entries;
+pub(crate) use user::times as stiffness_times;

@@ -1,1 +1,13 @@
 //! From [`FeModel`](crate::FeModel) and [`ModeBasis`](crate::ModeBasis) to [`ffrf_model::ReducedBody`].
+
+mod damping;
+mod error;
+mod invariants;
+mod marker;
+mod options;
+mod reduce;
+mod stiffness;
+
+pub use error::ReductionError;
+pub use options::{Damping, MarkerRequest, ReductionOptions};
+pub use reduce::reduce;

@@ -1,0 +1,142 @@
+//! Markers: position, translation and rotation of a node or node set per unit modal coordinate.
+
+use std::collections::BTreeSet;
+
+use faer::Mat;
+use ffrf_model::{Marker, Vector3};
+
+use crate::FeModel;
+use crate::modes::{entries, symmetric_eigen};
+
+use super::{MarkerRequest, ReductionError};
+
+/// Nodes closer to one line than this part of their extent do not define a rotation.
+const SPREAD: f64 = 1e-4;
+/// How many of the nearest nodes give the rotation of a node that is coupled with none.
+const NEAREST: usize = 8;
+
+/// One marker.
+///
+/// A node set moves with the mean of its nodes, and turns with the least-squares small rotation of them.
+/// A single node turns with the nodes it is coupled with in K, or in M_s, or, if that tells no rotation,
+/// with its eight nearest nodes. A rigid motion of the nodes is reproduced exactly in each case.
+/// Errors: no node, a node that does not exist, all nodes on one line.
+pub(crate) fn make_marker(
+    model: &FeModel,
+    shapes: &Mat<f64>,
+    request: &MarkerRequest,
+) -> Result<Marker, ReductionError> {
+    let count = model.nodes.len();
+    let rows: Vec<usize> = request.nodes.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
+    if rows.is_empty() {
+        return Err(ReductionError::EmptyMarker { marker: request.name.clone() });
+    }
+    if let Some(&row) = rows.iter().find(|&&row| row >= count) {
+        return Err(ReductionError::MarkerNode { marker: request.name.clone(), row, nodes: count });
+    }
+    let fit = match rows[..] {
+        [row] => fit_around(model, row),
+        _ => RotationFit::new(model, &rows),
+    };
+    let fit = fit.map_err(|(nodes, spread)| ReductionError::MarkerRotation {
+        marker: request.name.clone(),
+        nodes,
+        spread,
+    })?;
+    Ok(Marker {
+        name: request.name.clone(),
+        nodes: rows.iter().map(|&row| model.nodes.ids[row]).collect(),
+        position: mean(&rows, |row| model.nodes.positions[row]),
+        translation: (0..shapes.ncols())
+            .map(|mode| mean(&rows, |row| displacement(shapes, row, mode)))
+            .collect(),
+        rotation: (0..shapes.ncols()).map(|mode| fit.rotation(shapes, mode)).collect(),
+    })
+}
+
+/// The linear map from nodal displacements to the least-squares small rotation ω:
+/// Σ (r² I - r rᵀ) ω = Σ r × u, with r from the mean position of the nodes.
+struct RotationFit {
+    rows: Vec<usize>,
+    arms: Vec<Vector3>,
+    inverse: [[f64; 3]; 3],
+}
+
+impl RotationFit {
+    /// Errors: number of nodes and relative spread, if they lie on one line.
+    fn new(model: &FeModel, rows: &[usize]) -> Result<Self, (usize, f64)> {
+        let centre = mean(rows, |row| model.nodes.positions[row]);
+        let arms: Vec<Vector3> =
+            rows.iter().map(|&row| [0, 1, 2].map(|i| model.nodes.positions[row][i] - centre[i])).collect();
+        let mut moment = Mat::<f64>::zeros(3, 3);
+        for r in &arms {
+            let square: f64 = r.iter().map(|x| x * x).sum();
+            for i in 0..3 {
+                moment[(i, i)] += square;
+                for j in 0..3 {
+                    moment[(i, j)] -= r[i] * r[j];
+                }
+            }
+        }
+        let (values, vectors) = symmetric_eigen(moment.as_ref()).map_err(|_| (rows.len(), 0.0))?;
+        let spread = if values[2] > 0.0 { (values[0].max(0.0) / values[2]).sqrt() } else { 0.0 };
+        if spread < SPREAD {
+            return Err((rows.len(), spread));
+        }
+        let inverse = [0, 1, 2]
+            .map(|i| [0, 1, 2].map(|j| (0..3).map(|k| vectors[(i, k)] * vectors[(j, k)] / values[k]).sum()));
+        Ok(Self { rows: rows.to_vec(), arms, inverse })
+    }
+
+    fn rotation(&self, shapes: &Mat<f64>, mode: usize) -> Vector3 {
+        let mut moment = [0.0; 3];
+        for (&row, r) in self.rows.iter().zip(&self.arms) {
+            let u = displacement(shapes, row, mode);
+            for i in 0..3 {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                moment[i] += r[j] * u[k] - r[k] * u[j];
+            }
+        }
+        [0, 1, 2].map(|i| (0..3).map(|j| self.inverse[i][j] * moment[j]).sum())
+    }
+}
+
+fn fit_around(model: &FeModel, row: usize) -> Result<RotationFit, (usize, f64)> {
+    let mut coupled = BTreeSet::from([row]);
+    if let Some(stiffness) = &model.stiffness {
+        for dof in 3 * row..3 * row + 3 {
+            coupled.extend(
+                entries(stiffness, dof).filter(|&(_, value)| value != 0.0).map(|(other, _)| other / 3),
+            );
+        }
+    }
+    coupled.extend(entries(&model.mass, row).filter(|&(_, value)| value != 0.0).map(|(node, _)| node));
+    let coupled: Vec<usize> = coupled.into_iter().collect();
+    RotationFit::new(model, &coupled).or_else(|_| RotationFit::new(model, &nearest(model, row)))
+}
+
+fn nearest(model: &FeModel, row: usize) -> Vec<usize> {
+    let here = model.nodes.positions[row];
+    let distance = |node: usize| -> f64 {
+        model.nodes.positions[node].iter().zip(here).map(|(x, x0)| (x - x0).powi(2)).sum()
+    };
+    let mut order: Vec<usize> = (0..model.nodes.len()).collect();
+    order.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b)));
+    order.truncate(NEAREST + 1);
+    order
+}
+
+fn displacement(shapes: &Mat<f64>, row: usize, mode: usize) -> Vector3 {
+    [0, 1, 2].map(|i| shapes[(3 * row + i, mode)])
+}
+
+fn mean(rows: &[usize], value: impl Fn(usize) -> Vector3) -> Vector3 {
+    let mut sum = [0.0; 3];
+    for &row in rows {
+        let value = value(row);
+        for i in 0..3 {
+            sum[i] += value[i];
+        }
+    }
+    sum.map(|total| total / rows.len() as f64)
+}

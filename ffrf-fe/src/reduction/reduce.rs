@@ -1,0 +1,68 @@
+//! The reduction itself.
+
+use faer::Mat;
+use ffrf_model::{Inertia, Provenance, ReducedBody, SCHEMA_VERSION};
+
+use crate::{FeError, FeModel, ModeBasis};
+
+use super::damping::modal_damping;
+use super::invariants::inertia_of;
+use super::marker::make_marker;
+use super::stiffness::modal_stiffness;
+use super::{ReductionError, ReductionOptions};
+
+/// Reduces a finite-element model to the modes of a basis.
+///
+/// Source: MATH, equations 206-208: every invariant from M_s, K_ff = ΨᵀKΨ.
+/// Errors: sizes that do not fit, no stiffness, bad damping or markers, and every failed consistency check of
+/// [`ReducedBody::check`], dependence of the modes on rigid motion among them.
+/// Panics: never.
+pub fn reduce(
+    model: &FeModel,
+    basis: &ModeBasis,
+    options: &ReductionOptions,
+) -> Result<ReducedBody, FeError> {
+    let shapes = &basis.shapes;
+    let nodes = model.nodes.len();
+    if shapes.nrows() != 3 * nodes {
+        return Err(ReductionError::ShapeRows { nodes, expected: 3 * nodes, found: shapes.nrows() }.into());
+    }
+    if shapes.ncols() != basis.modes.len() {
+        return Err(ReductionError::ModeCount { shapes: shapes.ncols(), modes: basis.modes.len() }.into());
+    }
+    let inertia = inertia_of(model, shapes);
+    let stiffness = modal_stiffness(model, shapes, options.modal_stiffness.as_ref())?;
+    let damping = modal_damping(&options.damping, modal_mass(&inertia).as_ref(), stiffness.as_ref())?;
+    let markers = options
+        .markers
+        .iter()
+        .map(|request| make_marker(model, shapes, request))
+        .collect::<Result<Vec<_>, _>>()?;
+    let body = ReducedBody {
+        schema_version: SCHEMA_VERSION,
+        title: options.title.clone(),
+        units: options.units.clone(),
+        provenance: Provenance {
+            tool: "ffrf".to_owned(),
+            tool_version: env!("CARGO_PKG_VERSION").to_owned(),
+            sources: model.sources.clone(),
+        },
+        modes: basis.modes.clone(),
+        inertia,
+        stiffness: rows(&stiffness),
+        damping: rows(&damping),
+        markers,
+    };
+    body.check()?.verdict()?;
+    Ok(body)
+}
+
+/// Θ_ff = [tr T_μν].
+fn modal_mass(inertia: &Inertia) -> Mat<f64> {
+    let moments = &inertia.mode_mode_moment;
+    Mat::from_fn(moments.len(), moments.len(), |mu, nu| (0..3).map(|i| moments[mu][nu][i][i]).sum())
+}
+
+fn rows(matrix: &Mat<f64>) -> Vec<Vec<f64>> {
+    (0..matrix.nrows()).map(|i| (0..matrix.ncols()).map(|j| matrix[(i, j)]).collect()).collect()
+}

@@ -1,0 +1,68 @@
+//! The modal stiffness K_ff.
+
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+
+use crate::FeModel;
+use crate::modes::stiffness_times;
+
+use super::ReductionError;
+
+/// Largest asymmetry of a given modal stiffness, relative to its largest entry: eight decimals in a text file.
+const ASYMMETRY: f64 = 1e-8;
+
+/// ΨᵀKΨ or the modal stiffness given, symmetrised.
+///
+/// Errors: neither K nor K_ff there; K_ff of a wrong size, not finite or not symmetric.
+pub(crate) fn modal_stiffness(
+    model: &FeModel,
+    shapes: &Mat<f64>,
+    given: Option<&Mat<f64>>,
+) -> Result<Mat<f64>, ReductionError> {
+    let modes = shapes.ncols();
+    let stiffness = match (given, &model.stiffness) {
+        (Some(given), _) => {
+            check(given, modes)?;
+            given.clone()
+        }
+        (None, Some(stiffness)) => {
+            let forces = stiffness_times(stiffness, shapes);
+            let mut projected = Mat::zeros(modes, modes);
+            matmul(&mut projected, Accum::Replace, shapes.transpose(), &forces, 1.0, Par::Seq);
+            projected
+        }
+        (None, None) => return Err(ReductionError::MissingStiffness),
+    };
+    Ok(Mat::from_fn(modes, modes, |i, j| 0.5 * (stiffness[(i, j)] + stiffness[(j, i)])))
+}
+
+fn check(given: &Mat<f64>, modes: usize) -> Result<(), ReductionError> {
+    let (rows, columns) = (given.nrows(), given.ncols());
+    if rows != modes || columns != modes {
+        return Err(ReductionError::ModalStiffnessSize { modes, rows, columns });
+    }
+    let mut largest = 0.0_f64;
+    for column in 0..modes {
+        for &value in given.col_as_slice(column) {
+            if !value.is_finite() {
+                return Err(ReductionError::NotFinite { what: "modal stiffness".to_owned(), value });
+            }
+            largest = largest.max(value.abs());
+        }
+    }
+    for row in 0..modes {
+        for column in 0..row {
+            let (value, mirrored) = (given[(row, column)], given[(column, row)]);
+            if (value - mirrored).abs() > ASYMMETRY * largest {
+                return Err(ReductionError::ModalStiffnessAsymmetric {
+                    row,
+                    column,
+                    value,
+                    mirrored,
+                    tolerance: ASYMMETRY,
+                });
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,6 @@
+//! Modes and reduction: reference bodies, two solvers against each other, and structures with known frequencies.
+
+mod reference;
+mod reference_bodies;
+
+mod tolerances;
