@@ -34,9 +34,11 @@ pub fn generate(body: &ReducedBody, options: &GenerateOptions) -> Result<Generat
     let mut graph = Graph::new();
     let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
         .truncated(&mut graph, &options.fidelity);
+    let requested: &[KernelKind] = if options.jacobians { &KernelKind::JACOBIANS } else { &[] };
     let kernels = KernelKind::ALL
-        .into_iter()
-        .map(|kind| {
+        .iter()
+        .chain(requested)
+        .map(|&kind| {
             let kernel = Kernel::formulate(kind, graph.clone(), &expressions)?;
             ValidKernel::new(passes::run(kernel, options.fused_multiply_add), false)
         })

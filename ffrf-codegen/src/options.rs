@@ -62,6 +62,8 @@ pub struct GenerateOptions {
     pub scalar: ScalarType,
     /// Which terms of the kinetic energy are kept.
     pub fidelity: Fidelity,
+    /// Whether analytic Jacobians of the accelerations and of the residual are generated, too.
+    pub jacobians: bool,
     /// Contraction of products and sums.
     pub fused_multiply_add: FusedMultiplyAdd,
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
@@ -82,6 +84,7 @@ impl Default for GenerateOptions {
             modes: None,
             scalar: ScalarType::default(),
             fidelity: Fidelity::default(),
+            jacobians: false,
             fused_multiply_add: FusedMultiplyAdd::default(),
             layout_tolerance: DEFAULT_LAYOUT_TOLERANCE,
         }

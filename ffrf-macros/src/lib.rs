@@ -18,6 +18,7 @@ use proc_macro::TokenStream;
 ///         modes: ..8,                        // optional: use the first 8 modes only
 ///         scalar: f64,                       // optional: f64 (default) or f32
 ///         fidelity: full,                    // optional: rigid, constant, linear, full, or a list of energy terms
+///         jacobians: true,                   // optional: implement ffrf::FlexibleBodyJacobians as well
 ///         fma: auto,                         // optional: auto (default), on, off
 ///         layout_tolerance: 1e-13,           // optional: what counts as zero, relative to its Gram scale
 ///     }

@@ -4,7 +4,7 @@ use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType};
 use proc_macro2::Span;
 use quote::ToTokens;
 use syn::parse::{Parse, ParseStream, Parser};
-use syn::{Ident, LitFloat, LitInt, LitStr, Token};
+use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token};
 
 use crate::parse::{Field, Input};
 
@@ -20,7 +20,7 @@ pub(crate) struct Modes {
     pub(crate) span: Span,
 }
 
-const KEYS: [&str; 6] = ["model", "modes", "scalar", "fidelity", "fma", "layout_tolerance"];
+const KEYS: [&str; 7] = ["model", "modes", "scalar", "fidelity", "jacobians", "fma", "layout_tolerance"];
 
 /// Checks every field; all mistakes are in the error.
 pub(crate) fn validate(input: &Input) -> syn::Result<Request> {
@@ -65,6 +65,11 @@ pub(crate) fn validate(input: &Input) -> syn::Result<Request> {
                 Ok(fidelity) => options.fidelity = fidelity,
                 Err(error) => mistakes.push(error),
             },
+            "jacobians" => {
+                if let Some(wanted) = mistakes.keep(parse_value(field, "true or false", LitBool::parse)) {
+                    options.jacobians = wanted.value;
+                }
+            }
             "fma" => {
                 if let Some(name) = mistakes.keep(parse_value(field, "auto, on or off", Ident::parse)) {
                     match name.to_string().as_str() {

@@ -29,6 +29,7 @@ pub mod forms;
 mod free_body;
 #[doc(hidden)]
 pub mod generated_support;
+mod jacobians;
 mod linearly_implicit;
 mod load;
 mod marker;
@@ -40,6 +41,7 @@ mod step;
 
 pub use flexible_body::{EquationsOfMotion, FlexibleBody};
 pub use free_body::FreeBody;
+pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};
 pub use linearly_implicit::step_linearly_implicit;
 pub use load::{Frame, Gravity, Load, MarkerLoad};
 pub use marker::Marker;

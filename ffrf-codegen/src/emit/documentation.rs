@@ -53,6 +53,18 @@ pub(super) fn of(kind: KernelKind, mode_count: usize) -> Vec<String> {
         KernelKind::DampingMatrix => {
             ("Modal damping D_ff.", modal, "modal force per unit modal rate", "the model")
         }
+        KernelKind::AccelerationJacobian => (
+            "Accelerations w and their derivatives with respect to q, q̇, ω and force; that to the velocity is zero.",
+            format!("{size}; columns of {size}: {mode_count}, {mode_count}, 3, {size}"),
+            "those of w, per unit of the variable",
+            "∂w/∂x = -M⁻¹ ∂R/∂x (implicit function theorem), ∂w/∂force = M⁻¹",
+        ),
+        KernelKind::ResidualJacobian => (
+            "Residual M w + Q + K q + D q̇ - force and its derivatives with respect to q, q̇, ω and w.",
+            format!("{size}; columns of {size}: {mode_count}, {mode_count}, 3, {size}"),
+            "those of forces, per unit of the variable",
+            "(203), differentiated symbolically; ∂R/∂w = M, ∂R/∂force = -I, ∂R/∂v = 0",
+        ),
     };
     vec![
         title.to_owned(),

@@ -68,6 +68,7 @@ fn argument_name(argument: Argument) -> &'static str {
         Argument::Rates => "q_dot",
         Argument::Force => "force",
         Argument::Gravity => "gravity",
+        Argument::Acceleration => "acceleration",
     }
 }
 
@@ -77,6 +78,7 @@ fn shape_type(shape: OutputShape, scalar: ScalarType) -> String {
         OutputShape::Scalar => scalar.to_owned(),
         OutputShape::Vector(size) => format!("[{scalar}; {size}]"),
         OutputShape::Matrix(size) => format!("[[{scalar}; {size}]; {size}]"),
+        OutputShape::Columns { rows, columns } => format!("[[{scalar}; {rows}]; {columns}]"),
     }
 }
 
@@ -227,7 +229,7 @@ impl<'a> Statements<'a> {
             let mut block = match shape {
                 OutputShape::Scalar => vec![these.concat()],
                 OutputShape::Vector(_) => bracketed(these, ""),
-                OutputShape::Matrix(size) => {
+                OutputShape::Matrix(size) | OutputShape::Columns { rows: size, .. } => {
                     let mut rows = vec!["[".to_owned()];
                     for column in these.chunks((*size).max(1)) {
                         let mut column = bracketed(column, "    ");

@@ -32,18 +32,43 @@ pub(super) fn implementation(
 ) -> String {
     let size = 6 + mode_count;
     let scalar = options.scalar.name();
-    let methods: Vec<String> = KernelKind::ALL
-        .into_iter()
-        .map(|kind| method(kind, mode_count, scalar, parameters.is_some()))
-        .collect();
-    format!(
+    let methods = |kinds: &[KernelKind]| {
+        let method = |kind: &KernelKind| method(*kind, mode_count, scalar, parameters.is_some());
+        kinds.iter().map(method).collect::<Vec<String>>().join("\n")
+    };
+    let mut text = format!(
         "    #[automatically_derived]
     impl ::ffrf::FlexibleBody<{mode_count}, {size}, {scalar}> for {} {{
 {}{extra_methods}    }}
 ",
         options.name,
-        methods.join("\n")
-    )
+        methods(&KernelKind::ALL)
+    );
+    if options.jacobians {
+        text.push_str(&format!(
+            "
+    #[automatically_derived]
+    impl ::ffrf::FlexibleBodyJacobians<{mode_count}, {size}, {scalar}> for {} {{
+{}    }}
+",
+            options.name,
+            methods(&KernelKind::JACOBIANS)
+        ));
+    }
+    text
+}
+
+/// The struct of several results, and its fields in the order of the results.
+fn result_struct(kind: KernelKind) -> (&'static str, &'static [&'static str]) {
+    match kind {
+        KernelKind::AccelerationJacobian => {
+            ("AccelerationJacobian", &["acceleration", "coordinates", "rates", "angular_velocity", "force"])
+        }
+        KernelKind::ResidualJacobian => {
+            ("ResidualJacobian", &["residual", "coordinates", "rates", "angular_velocity", "acceleration"])
+        }
+        _ => ("EquationsOfMotion", &["mass_matrix", "quadratic_velocity", "acceleration"]),
+    }
 }
 
 fn method(kind: KernelKind, mode_count: usize, scalar: &str, has_parameters: bool) -> String {
@@ -64,6 +89,7 @@ fn method(kind: KernelKind, mode_count: usize, scalar: &str, has_parameters: boo
             Argument::Rates => "q_dot",
             Argument::Force => "force",
             Argument::Gravity => "gravity",
+            Argument::Acceleration => "acceleration",
         };
         inputs.push(format!("{name}: &{}", vector(argument.size(mode_count))));
         values.push(format!("support::array({name})"));
@@ -71,7 +97,7 @@ fn method(kind: KernelKind, mode_count: usize, scalar: &str, has_parameters: boo
     let wrap = |shape: OutputShape, value: &str| match shape {
         OutputShape::Scalar => value.to_owned(),
         OutputShape::Vector(_) => format!("support::vector({value})"),
-        OutputShape::Matrix(_) => format!("support::matrix({value})"),
+        OutputShape::Matrix(_) | OutputShape::Columns { .. } => format!("support::matrix({value})"),
     };
     let name = kind.name();
     let size = 6 + mode_count;
@@ -83,20 +109,28 @@ fn method(kind: KernelKind, mode_count: usize, scalar: &str, has_parameters: boo
                 OutputShape::Scalar => scalar.to_owned(),
                 OutputShape::Vector(size) => vector(*size),
                 OutputShape::Matrix(size) => format!("::ffrf::nalgebra::SMatrix<{scalar}, {size}, {size}>"),
+                OutputShape::Columns { rows, columns } => {
+                    format!("::ffrf::nalgebra::SMatrix<{scalar}, {rows}, {columns}>")
+                }
             };
             (result, wrap(*shape, &call))
         }
-        _ => (
-            format!("::ffrf::EquationsOfMotion<{mode_count}, {size}, {scalar}>"),
-            format!(
-                "let (mass_matrix, quadratic_velocity, acceleration) = {call};
-            ::ffrf::EquationsOfMotion {{
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }}"
-            ),
-        ),
+        shapes => {
+            let (structure, fields) = result_struct(kind);
+            let values: Vec<String> = shapes
+                .iter()
+                .zip(fields)
+                .map(|(shape, field)| format!("                {field}: {},\n", wrap(*shape, field)))
+                .collect();
+            let body = format!(
+                "let ({}) = {call};
+            ::ffrf::{structure} {{
+{}            }}",
+                fields.join(", "),
+                values.concat()
+            );
+            (format!("::ffrf::{structure}<{mode_count}, {size}, {scalar}>"), body)
+        }
     };
     format!(
         "        #[inline]

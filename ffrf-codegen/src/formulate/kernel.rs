@@ -6,6 +6,7 @@ use super::{
 };
 use crate::CodegenError;
 use crate::body::BodyExpressions;
+use crate::derive::Jacobian;
 use crate::expression::{Expression, Graph, Symbol};
 
 /// What a kernel computes.
@@ -35,6 +36,10 @@ pub enum KernelKind {
     StiffnessMatrix,
     /// Modal damping D_ff.
     DampingMatrix,
+    /// Accelerations with their derivatives, on request.
+    AccelerationJacobian,
+    /// Implicit residual with its derivatives, on request.
+    ResidualJacobian,
 }
 
 /// An input of a kernel.
@@ -52,6 +57,8 @@ pub enum Argument {
     Force,
     /// Uniform gravity g. Shape: 3.
     Gravity,
+    /// Accelerations w. Shape: N.
+    Acceleration,
 }
 
 /// The shape of a result.
@@ -63,6 +70,13 @@ pub enum OutputShape {
     Vector(usize),
     /// A square matrix, column by column.
     Matrix(usize),
+    /// A matrix, column by column.
+    Columns {
+        /// Number of rows.
+        rows: usize,
+        /// Number of columns.
+        columns: usize,
+    },
 }
 
 impl OutputShape {
@@ -72,6 +86,7 @@ impl OutputShape {
             Self::Scalar => 1,
             Self::Vector(size) => size,
             Self::Matrix(size) => size * size,
+            Self::Columns { rows, columns } => rows * columns,
         }
     }
 }
@@ -90,7 +105,7 @@ pub struct Kernel {
 }
 
 impl KernelKind {
-    /// Every kernel, in the order in which they are printed.
+    /// Every kernel that each body has, in the order in which they are printed.
     pub const ALL: [Self; 12] = [
         Self::MassMatrix,
         Self::QuadraticVelocity,
@@ -105,6 +120,9 @@ impl KernelKind {
         Self::StiffnessMatrix,
         Self::DampingMatrix,
     ];
+
+    /// The kernels that a body has on request.
+    pub const JACOBIANS: [Self; 2] = [Self::AccelerationJacobian, Self::ResidualJacobian];
 
     /// Name of the function.
     pub fn name(self) -> &'static str {
@@ -121,16 +139,21 @@ impl KernelKind {
             Self::GravityForce => "gravity_force",
             Self::StiffnessMatrix => "stiffness_matrix",
             Self::DampingMatrix => "damping_matrix",
+            Self::AccelerationJacobian => "acceleration_jacobian",
+            Self::ResidualJacobian => "residual_jacobian",
         }
     }
 
     /// The inputs, in the order of the signature.
     pub fn arguments(self) -> &'static [Argument] {
-        use Argument::{AngularVelocity, Coordinates, Force, Gravity, Rates, Velocity};
+        use Argument::{Acceleration, AngularVelocity, Coordinates, Force, Gravity, Rates, Velocity};
         match self {
             Self::MassMatrix | Self::ElasticEnergy => &[Coordinates],
             Self::QuadraticVelocity => &[Coordinates, AngularVelocity, Rates],
-            Self::ForwardDynamics | Self::EquationsOfMotion => &[Coordinates, AngularVelocity, Rates, Force],
+            Self::ForwardDynamics | Self::EquationsOfMotion | Self::AccelerationJacobian => {
+                &[Coordinates, AngularVelocity, Rates, Force]
+            }
+            Self::ResidualJacobian => &[Coordinates, AngularVelocity, Rates, Acceleration, Force],
             Self::KineticEnergy | Self::LinearMomentum | Self::AngularMomentum => {
                 &[Coordinates, Velocity, AngularVelocity, Rates]
             }
@@ -155,6 +178,14 @@ impl KernelKind {
             Self::LinearMomentum | Self::AngularMomentum => vec![OutputShape::Vector(3)],
             Self::InternalForce => vec![OutputShape::Vector(mode_count)],
             Self::StiffnessMatrix | Self::DampingMatrix => vec![OutputShape::Matrix(mode_count)],
+            // value, ∂/∂q, ∂/∂q̇, ∂/∂ω, and the one square block: ∂/∂force or ∂/∂w
+            Self::AccelerationJacobian | Self::ResidualJacobian => vec![
+                OutputShape::Vector(size),
+                OutputShape::Columns { rows: size, columns: mode_count },
+                OutputShape::Columns { rows: size, columns: mode_count },
+                OutputShape::Columns { rows: size, columns: 3 },
+                OutputShape::Matrix(size),
+            ],
         }
     }
 }
@@ -165,7 +196,7 @@ impl Argument {
         match self {
             Self::Coordinates | Self::Rates => mode_count,
             Self::Velocity | Self::AngularVelocity | Self::Gravity => 3,
-            Self::Force => 6 + mode_count,
+            Self::Force | Self::Acceleration => 6 + mode_count,
         }
     }
 
@@ -178,6 +209,7 @@ impl Argument {
             Self::Rates => Symbol::Rate(k),
             Self::Force => Symbol::Force(k),
             Self::Gravity => Symbol::Gravity(k),
+            Self::Acceleration => Symbol::Acceleration(k),
         }
     }
 }
@@ -216,7 +248,28 @@ impl Kernel {
             KernelKind::GravityForce => gravity_force(g, body, &state, &deformed),
             KernelKind::StiffnessMatrix => body.stiffness.concat(),
             KernelKind::DampingMatrix => body.damping.concat(),
+            KernelKind::AccelerationJacobian => {
+                let jacobian = Jacobian::of_accelerations(g, body)?;
+                let force = jacobian.force.concat();
+                with_derivatives(jacobian, force)
+            }
+            KernelKind::ResidualJacobian => {
+                let mass = mass_matrix(g, body, &deformed).concat();
+                with_derivatives(Jacobian::of_residual(g, body), mass)
+            }
         };
         Ok(Self { kind, mode_count, graph, outputs })
     }
+}
+
+/// The results of a kernel with derivatives. Those with respect to the velocity are zero and not written.
+fn with_derivatives(jacobian: Jacobian, square: Vec<Expression>) -> Vec<Expression> {
+    [
+        jacobian.value,
+        jacobian.coordinates.concat(),
+        jacobian.rates.concat(),
+        jacobian.angular_velocity.concat(),
+        square,
+    ]
+    .concat()
 }
