@@ -4,10 +4,13 @@
 //! --[`reduction`]--> [`ffrf_model::ReducedBody`].
 #![forbid(unsafe_code)]
 
+pub mod elements;
 mod error;
 mod fe_model;
+pub mod formulations;
 pub mod import;
 pub mod modes;
+pub mod oracle;
 pub mod reduction;
 mod sparse;
 

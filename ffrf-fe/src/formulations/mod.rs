@@ -1,0 +1,11 @@
+//! The other formulations that the floating frame of reference stands on, executable.
+//!
+//! The chain of Winkler & Gerstmayr (2018): absolute coordinates of the whole mesh (ACF, Sections 2-3)
+//! → generalised component modes (GCMS, Sections 4-5) → constraints and their null space (Section 6)
+//! → projection (Section 7) → floating frame (Section 8).
+//! Every numbered equation that claims something checkable is a test in `tests/equations`.
+
+pub mod constraints;
+pub mod gcms;
+pub mod null_space;
+pub mod rotation;
