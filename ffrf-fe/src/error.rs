@@ -137,7 +137,7 @@ pub enum FeError {
     /// A matrix that must be symmetric is not.
     #[error(
         "{}: not symmetric: entry ({row}, {column}) is {value:e}, entry ({column}, {row}) is {mirrored:e}; \
-         deviation {deviation:e} of the largest entry, tolerated {tolerance:e}",
+         deviation {deviation:.3e} of the largest entry, tolerated {tolerance:e}",
         path.display()
     )]
     Asymmetric {
@@ -159,7 +159,7 @@ pub enum FeError {
     /// The mass matrix is not M_s ⊗ I3: its directions differ or are coupled.
     #[error(
         "{}: mass is not the same in x, y and z (M_FE is not M_s x I3): entry ({row}, {column}) deviates by \
-         {deviation:e} of the largest entry, tolerated {tolerance:e}",
+         {deviation:.3e} of the largest entry, tolerated {tolerance:e}",
         path.display()
     )]
     Anisotropic {
@@ -176,7 +176,7 @@ pub enum FeError {
     },
     /// A matrix that must be positive semidefinite has negative eigenvalues.
     #[error(
-        "{}: the {role} matrix is indefinite: {negative} of {size} pivots are negative, the worst is {pivot:e} \
+        "{}: the {role} matrix is indefinite: {negative} of {size} pivots are negative, the worst is {pivot:.3e} \
          times its diagonal entry (row {row}), tolerated -{tolerance:e}",
         path.display()
     )]
@@ -240,4 +240,7 @@ pub enum FeError {
     /// The reduced body contradicts itself.
     #[error(transparent)]
     Model(#[from] ffrf_model::ModelError),
+    /// An element is not usable.
+    #[error(transparent)]
+    Element(#[from] crate::elements::ElementError),
 }

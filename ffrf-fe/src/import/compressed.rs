@@ -22,9 +22,9 @@ pub(crate) fn is_compressed(path: &Path) -> bool {
 /// The content of a gzip file; a damaged or truncated one is an error.
 pub(crate) fn inflate(stored: &[u8]) -> Result<Vec<u8>, Error> {
     let mut content = Vec::with_capacity(4 * stored.len());
-    MultiGzDecoder::new(stored).read_to_end(&mut content).map_err(|error| {
-        Error::new(ErrorKind::InvalidData, format!("not a complete gzip file: {error}"))
-    })?;
+    MultiGzDecoder::new(stored)
+        .read_to_end(&mut content)
+        .map_err(|error| Error::new(ErrorKind::InvalidData, format!("not a complete gzip file: {error}")))?;
     Ok(content)
 }
 

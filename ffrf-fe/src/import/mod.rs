@@ -1,1 +1,46 @@
 //! Readers: files of FE codes to [`FeModel`](crate::FeModel).
+//!
+//! Stages: a file's bytes ([`source`], hashed while read) -> numbers ([`scan`]) -> entries as listed
+//! ([`entries`], one reader per format) -> symmetric sparse matrix ([`symmetric`]) -> checked model ([`model`]).
+//!
+//! | Source | Nodes | Matrices |
+//! |---|---|---|
+//! | plain | text `x y z` | Matrix Market, NumPy `.npy`/`.npz` (dense or `scipy.sparse.save_npz`), lists |
+//! | Abaqus | `.inp`: `*Node`, `*Part`, `*Instance`, `*Nset`, `*Element` | `*MATRIX GENERATE`: `row col value` or `node, dof, node, dof, value` |
+//! | CalculiX | `.inp` | `.sti`, `.mas`, `.dof` of `*FREQUENCY, SOLVER=MATRIXSTORAGE` |
+//! | ANSYS | table `id x y z` | Matrix Market of `*SMAT`/`*DMAT` with a node mapping vector |
+//!
+//! The format of a matrix file is told by its first bytes, so any matrix format goes with any node source.
+//!
+//! # Current limitations
+//! Three displacement degrees of freedom per node; no constraint equations (`*EQUATION`, `*TIE`, `*MPC`): their
+//! matrices have fewer rows than the mesh and are refused for their size.
+
+mod ansys;
+mod calculix;
+mod compressed;
+mod deck;
+mod definiteness;
+mod entries;
+mod listed_matrix;
+mod mass;
+mod matrix_file;
+mod matrix_market;
+mod mode_shapes;
+mod model;
+mod model_files;
+mod node_table;
+mod numpy;
+mod provenance;
+mod raw_matrix;
+mod scan;
+mod source;
+mod symmetric;
+mod text_table;
+
+pub use mode_shapes::{read_mode_shapes, read_square_matrix};
+pub use model_files::{ModelFiles, NodeSource, read_model};
+pub use provenance::source_file;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,97 @@
+//! Matrix entries without header: Abaqus `*MATRIX GENERATE` and CalculiX `.sti`, `.mas`.
+//!
+//! Two kinds of line: `row column value`, and `node dof node dof value`; blanks or commas between.
+
+use super::entries::{Entries, ReadIndex, RowNumber, skip_blank_or_comment};
+use super::node_table::NodeLookup;
+use super::raw_matrix::{Numbering, RawMatrix, Storage};
+use super::scan::{Cursor, Defect, DefectKind};
+use super::source::Source;
+use crate::FeError;
+
+/// Lines before the last that show how long a value is printed in this file.
+const SAMPLE_LINES: usize = 20;
+
+/// A node label and a direction 1 to 3.
+struct LabelAndDirection<'a> {
+    nodes: &'a NodeLookup,
+}
+
+impl ReadIndex for LabelAndDirection<'_> {
+    const LINE: &'static str = "`node dof node dof value` with dof 1 to 3";
+
+    #[inline]
+    fn read(&self, cursor: &mut Cursor<'_>) -> Result<u32, Defect> {
+        cursor.skip_separators();
+        let at = cursor.at;
+        let label = cursor.unsigned(Self::LINE)?;
+        let Some(row) = self.nodes.row(label) else {
+            return Err(Defect { at, kind: DefectKind::UnknownNode(label) });
+        };
+        cursor.skip_separators();
+        let at = cursor.at;
+        match cursor.unsigned(Self::LINE)? {
+            // Rows are below 2^32 / 3, see `NodeTable::check_size`.
+            direction @ 1..=3 => Ok((3 * row + direction as usize - 1) as u32),
+            _ => Err(Defect { at, kind: DefectKind::Expected(Self::LINE) }),
+        }
+    }
+}
+
+/// Reads a list; labels are looked up in `nodes`.
+pub(crate) fn read(source: Source, nodes: &NodeLookup) -> Result<RawMatrix, FeError> {
+    let bytes = source.bytes();
+    let (line, columns) = first_line(bytes);
+    let read = match columns {
+        3 => Entries::read(bytes, 0, &RowNumber { limit: u32::MAX as usize }),
+        5 => Entries::read(bytes, 0, &LabelAndDirection { nodes }),
+        _ => {
+            let expected = "`row column value` or `node dof node dof value` or a Matrix Market or NumPy file";
+            return Err(source.expected(line, expected));
+        }
+    };
+    let entries = read.map_err(|defect| source.defect(&defect, nodes.len()))?;
+    refuse_cut_number(&source)?;
+    let (numbering, size) = match columns {
+        3 => (Numbering::Listed, entries.extent()),
+        _ => (Numbering::Labelled, 3 * nodes.len()),
+    };
+    Ok(RawMatrix { source, entries, size, storage: Storage::Undeclared, numbering })
+}
+
+/// Offset and number of columns of the first data line.
+fn first_line(bytes: &[u8]) -> (usize, usize) {
+    let mut cursor = Cursor::new(bytes, 0);
+    while cursor.at < bytes.len() && skip_blank_or_comment(bytes, &mut cursor) {}
+    let start = cursor.at;
+    cursor.next_line();
+    (start, tokens(&bytes[start..cursor.at]).count())
+}
+
+fn tokens(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    line.split(|byte| matches!(byte, b' ' | b'\t' | b',' | b'\r' | b'\n')).filter(|token| !token.is_empty())
+}
+
+/// A list has no count, so a cut within its last number would pass as another number. FE codes print all
+/// values of a file to the same length and end the last line: a last line without end whose value is shorter
+/// than all others is a cut.
+fn refuse_cut_number(source: &Source) -> Result<(), FeError> {
+    let bytes = source.bytes();
+    if bytes.ends_with(b"\n") {
+        return Ok(());
+    }
+    let length = |line: &[u8]| {
+        let value = tokens(line).last().unwrap_or_default();
+        value.strip_prefix(b"-").unwrap_or(value).len()
+    };
+    let mut lines = bytes.rsplit(|&byte| byte == b'\n');
+    let last = length(lines.next().unwrap_or_default());
+    let mut sample = lines.take(SAMPLE_LINES).map(length).filter(|&length| length > 0);
+    let Some(usual) = sample.next() else { return Ok(()) };
+    if sample.all(|length| length == usual) && last < usual {
+        let expected =
+            format!("a value of {usual} characters and a line end, as in the lines before (cut file?)");
+        return Err(source.expected(bytes.len() - last, expected));
+    }
+    Ok(())
+}

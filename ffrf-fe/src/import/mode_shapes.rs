@@ -1,0 +1,89 @@
+//! Dense matrices: mode shapes of the user's own and modal stiffness.
+
+use std::path::Path;
+
+use faer::Mat;
+
+use super::raw_matrix::Dense;
+use super::source::Source;
+use super::symmetric::SYMMETRY_TOLERANCE;
+use super::{matrix_market, numpy, text_table};
+use crate::FeError;
+
+/// Reads mode shapes Ψ from text, Matrix Market (array or coordinate) or NumPy.
+///
+/// Shape: 3N x M, rows x, y, z node by node. Units: as normalised by the user (1/√kg for mass-normalised modes).
+/// Source: MATH.md, notation.
+///
+/// # Errors
+/// A file that does not follow its format, or has another number of rows.
+pub fn read_mode_shapes(path: &Path, node_count: usize) -> Result<Mat<f64>, FeError> {
+    let rows = 3 * node_count;
+    let check = |found: usize, columns: usize| {
+        if found != rows {
+            let expected = format!("{rows} rows (x, y, z of {node_count} nodes)");
+            return Err(mismatch(path, expected, found, "rows"));
+        }
+        if columns == 0 {
+            return Err(mismatch(path, "at least one mode".to_owned(), 0, "columns"));
+        }
+        Ok(())
+    };
+    read(path, &check)
+}
+
+/// Reads a symmetric matrix of given size, such as the modal stiffness K_ff, from text, Matrix Market or NumPy.
+///
+/// Shape: size x size. Units: N/m over the square of the modes' unit.
+///
+/// # Errors
+/// A file that does not follow its format, another size, or an asymmetric matrix.
+pub fn read_square_matrix(path: &Path, size: usize) -> Result<Mat<f64>, FeError> {
+    let check = |rows: usize, columns: usize| {
+        if rows != columns {
+            return Err(FeError::NotSquare { path: path.to_path_buf(), rows, columns });
+        }
+        if rows != size {
+            return Err(mismatch(path, format!("{size} rows and columns"), rows, "rows"));
+        }
+        Ok(())
+    };
+    let matrix = read(path, &check)?;
+    let largest = matrix.norm_max();
+    for column in 0..size {
+        for row in column + 1..size {
+            let (value, mirrored) = (matrix[(row, column)], matrix[(column, row)]);
+            let deviation = (value - mirrored).abs();
+            if deviation > SYMMETRY_TOLERANCE * largest {
+                return Err(FeError::Asymmetric {
+                    path: path.to_path_buf(),
+                    row: row + 1,
+                    column: column + 1,
+                    value,
+                    mirrored,
+                    deviation: deviation / largest,
+                    tolerance: SYMMETRY_TOLERANCE,
+                });
+            }
+        }
+    }
+    Ok(matrix)
+}
+
+fn read(path: &Path, check: &dyn Fn(usize, usize) -> Result<(), FeError>) -> Result<Mat<f64>, FeError> {
+    let source = Source::read(path)?;
+    let bytes = source.bytes();
+    let Dense { rows, columns, values } = if matrix_market::is_matrix_market(bytes) {
+        matrix_market::read_dense(&source, check)?
+    } else if bytes.starts_with(numpy::NPY_MAGIC) || bytes.starts_with(numpy::NPZ_MAGIC) {
+        numpy::read_dense(&source, &["Psi", "psi", "modes", "K_ff"])?
+    } else {
+        text_table::read_dense(&source)?
+    };
+    check(rows, columns)?;
+    Ok(Mat::from_fn(rows, columns, |row, column| values[column * rows + row]))
+}
+
+fn mismatch(path: &Path, expected: String, found: usize, what: &'static str) -> FeError {
+    FeError::SizeMismatch { path: path.to_path_buf(), expected, found, what }
+}

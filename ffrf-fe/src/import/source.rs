@@ -1,0 +1,155 @@
+//! A file in memory, hashed in the background while it is read.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::thread::JoinHandle;
+
+use ffrf_model::SourceFile;
+use sha2::{Digest, Sha256};
+
+use super::compressed::{inflate, is_compressed, stored_path};
+use super::scan::{Defect, DefectKind};
+use crate::FeError;
+
+/// Longest excerpt of a file that an error message quotes.
+const EXCERPT: usize = 60;
+
+/// The bytes of one input file.
+#[derive(Debug)]
+pub(crate) struct Source {
+    path: PathBuf,
+    /// As stored; the provenance is the hash of these.
+    stored: Arc<Vec<u8>>,
+    /// The content: the stored bytes, inflated if they are compressed.
+    bytes: Arc<Vec<u8>>,
+    hash: Option<JoinHandle<String>>,
+}
+
+impl Source {
+    /// Reads the file whole, or the one with `.gz` after its name, and starts hashing it.
+    pub(crate) fn read(path: &Path) -> Result<Self, FeError> {
+        let path = stored_path(path);
+        let failure = |source| FeError::Io { path: path.clone(), source };
+        let stored = Arc::new(std::fs::read(&path).map_err(failure)?);
+        let shared = Arc::clone(&stored);
+        let hash = std::thread::Builder::new().spawn(move || sha256(&shared)).ok();
+        let bytes = if is_compressed(&path) {
+            Arc::new(inflate(&stored).map_err(failure)?)
+        } else {
+            Arc::clone(&stored)
+        };
+        Ok(Source { path, stored, bytes, hash })
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The content, without a byte-order mark.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        self.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.bytes)
+    }
+
+    /// File name and hash, for the provenance.
+    pub(crate) fn finish(self, role: &str) -> SourceFile {
+        let hashed = self.hash.and_then(|handle| handle.join().ok());
+        SourceFile {
+            role: role.to_owned(),
+            file: self.path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default(),
+            sha256: hashed.unwrap_or_else(|| sha256(&self.stored)),
+        }
+    }
+
+    /// Line number, from 1, of a byte offset.
+    pub(crate) fn line_of(&self, at: usize) -> usize {
+        let bytes = self.bytes();
+        1 + bytes[..at.min(bytes.len())].iter().filter(|&&byte| byte == b'\n').count()
+    }
+
+    /// Number of the last line that holds anything.
+    pub(crate) fn last_line(&self) -> usize {
+        let bytes = self.bytes();
+        let end = bytes.iter().rposition(|byte| !byte.is_ascii_whitespace()).unwrap_or(0);
+        self.line_of(end)
+    }
+
+    /// What stands at a place, for a message: the token and its line.
+    fn excerpt(&self, at: usize) -> String {
+        let bytes = self.bytes();
+        let at = at.min(bytes.len());
+        let start = bytes[..at].iter().rposition(|&byte| byte == b'\n').map_or(0, |before| before + 1);
+        let end = bytes[at..].iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |after| at + after);
+        let line = String::from_utf8_lossy(&bytes[start..end]);
+        let shown: String = line.trim().chars().take(EXCERPT).collect();
+        let token = String::from_utf8_lossy(&bytes[at..end]);
+        let token: String =
+            token.split([' ', '\t', ',', '\r']).next().unwrap_or("").chars().take(EXCERPT).collect();
+        match (token.is_empty(), shown.is_empty()) {
+            (true, true) if at >= bytes.len() => "the end of the file".to_owned(),
+            (true, true) => "an empty line".to_owned(),
+            (true, false) => format!("the end of the line `{shown}`"),
+            (false, _) if token == shown => format!("`{token}`"),
+            (false, _) => format!("`{token}` in `{shown}`"),
+        }
+    }
+
+    /// An error of the form file, line, expected, found.
+    pub(crate) fn expected(&self, at: usize, expected: impl Into<String>) -> FeError {
+        FeError::Parse {
+            path: self.path.clone(),
+            line: self.line_of(at),
+            expected: expected.into(),
+            found: self.excerpt(at),
+        }
+    }
+
+    /// Turns a defect of the scan into an error; `nodes` is the size of the node table, if there is one.
+    pub(crate) fn defect(&self, defect: &Defect, nodes: usize) -> FeError {
+        let at = defect.at;
+        match defect.kind {
+            DefectKind::Expected(expected) => self.expected(at, expected),
+            DefectKind::ExpectedIndex(limit) => self.expected(at, format!("an index from 1 to {limit}")),
+            DefectKind::NonFinite => FeError::NonFinite {
+                path: self.path.clone(),
+                line: self.line_of(at),
+                found: self.excerpt(at),
+            },
+            DefectKind::UnknownNode(id) => {
+                FeError::UnknownNode { path: self.path.clone(), line: self.line_of(at), id, nodes }
+            }
+        }
+    }
+
+    /// The file ends too early.
+    pub(crate) fn truncated(&self, what: &'static str, expected: usize, found: usize) -> FeError {
+        FeError::Truncated { path: self.path.clone(), line: self.last_line(), what, expected, found }
+    }
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hash_and_line_numbers_of_a_known_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("abc.txt");
+        std::fs::write(&path, "abc").unwrap();
+        let source = Source::read(&path).unwrap();
+        assert_eq!(source.line_of(2), 1);
+        let file = source.finish("nodes");
+        assert_eq!(file.file, "abc.txt");
+        // FIPS 180-2, appendix B.1
+        assert_eq!(file.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    }
+
+    #[test]
+    fn a_missing_file_is_named() {
+        let error = Source::read(Path::new("no/such/file.mtx")).unwrap_err();
+        assert!(error.to_string().starts_with("no/such/file.mtx: "), "{error}");
+    }
+}
