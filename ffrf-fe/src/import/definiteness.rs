@@ -5,17 +5,23 @@ use std::path::Path;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
-    simplicial, supernodal,
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky, simplicial, supernodal,
 };
 use faer::{Par, Side, Spec};
 
+use super::large_definiteness::{lowest_minor, lowest_ritz_value};
 use super::symmetric::sparse;
 use crate::{FeError, SparseMatrix};
 
 /// Negative eigenvalues of the matrix scaled to unit diagonal down to minus this are round-off: exports print 14
 /// digits and more, and the factorisation of a few 100,000 rows adds about 1e-12.
 pub(crate) const DEFINITENESS_TOLERANCE: f64 = 1e-9;
+
+/// Entries of the factor up to which the check factorises: about 160 MB and a second. Larger matrices are
+/// factorised by the mode computation anyway, with a count of the eigenvalues below zero; here they get the cheap
+/// tests of [`super::large_definiteness`].
+const FACTOR_ENTRIES: usize = 20_000_000;
 
 /// Refuses a matrix with an eigenvalue below `-DEFINITENESS_TOLERANCE` after scaling to unit diagonal. Rows of
 /// zeros (massless nodes, held degrees of freedom) pass.
@@ -26,25 +32,6 @@ pub(crate) fn refuse_indefinite(
 ) -> Result<(), FeError> {
     let size = matrix.nrows();
     let failure = |reason: String| FeError::Factorization { path: path.to_path_buf(), role, size, reason };
-    let pivots = shifted_pivots(matrix).map_err(failure)?;
-    let negative = pivots.iter().filter(|&&(_, pivot)| pivot.is_nan() || pivot <= 0.0).count();
-    let lowest = pivots.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1));
-    match lowest {
-        Some((row, pivot)) if negative > 0 => Err(FeError::Indefinite {
-            path: path.to_path_buf(),
-            role,
-            negative,
-            size,
-            row: row + 1,
-            pivot: pivot - DEFINITENESS_TOLERANCE,
-            tolerance: DEFINITENESS_TOLERANCE,
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// Pivots (row, value) of L D Lᵀ of the scaled matrix plus the tolerance times the identity.
-fn shifted_pivots(matrix: &SparseMatrix) -> Result<Vec<(usize, f64)>, String> {
     let scaled = scaled_and_shifted(matrix);
     let symbolic = factorize_symbolic_cholesky(
         scaled.symbolic(),
@@ -52,16 +39,43 @@ fn shifted_pivots(matrix: &SparseMatrix) -> Result<Vec<(usize, f64)>, String> {
         SymmetricOrdering::Amd,
         CholeskySymbolicParams::default(),
     )
-    .map_err(|error| error.to_string())?;
+    .map_err(|error| failure(error.to_string()))?;
+    let (negative, row, pivot) = if symbolic.len_val() > FACTOR_ENTRIES {
+        let minor = lowest_minor(&scaled);
+        let ritz = lowest_ritz_value(&scaled).unwrap_or(f64::INFINITY);
+        // A witness shows one negative eigenvalue at least.
+        (usize::from(minor.value.min(ritz) < 0.0), minor.row, minor.value.min(ritz))
+    } else {
+        let pivots = pivots(&scaled, &symbolic).map_err(failure)?;
+        let negative = pivots.iter().filter(|&&(_, pivot)| pivot.is_nan() || pivot <= 0.0).count();
+        let lowest = pivots.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        lowest.map_or((0, 0, 0.0), |(row, pivot)| (negative, row, pivot))
+    };
+    if negative == 0 {
+        return Ok(());
+    }
+    Err(FeError::Indefinite {
+        path: path.to_path_buf(),
+        role,
+        negative,
+        size,
+        row: row + 1,
+        pivot: pivot - DEFINITENESS_TOLERANCE,
+        tolerance: DEFINITENESS_TOLERANCE,
+    })
+}
+
+/// Pivots (row, value) of L D Lᵀ of a matrix given by its lower triangle.
+fn pivots(lower: &SparseMatrix, symbolic: &SymbolicCholesky<usize>) -> Result<Vec<(usize, f64)>, String> {
     let parallel = Par::rayon(0);
     let params = Spec::default();
     let mut values = vec![0.0; symbolic.len_val()];
     let scratch = symbolic.factorize_numeric_ldlt_scratch::<f64>(parallel, params);
     let mut memory = MemBuffer::try_new(scratch).map_err(|_| "out of memory".to_owned())?;
-    let factor: LdltRef<'_, usize, f64> = symbolic
+    symbolic
         .factorize_numeric_ldlt(
             &mut values,
-            scaled.as_ref(),
+            lower.as_ref(),
             Side::Lower,
             LdltRegularization::default(),
             parallel,
@@ -69,19 +83,18 @@ fn shifted_pivots(matrix: &SparseMatrix) -> Result<Vec<(usize, f64)>, String> {
             params,
         )
         .map_err(|error| error.to_string())?;
-    let _ = factor;
     // Row of the matrix that stands at each place of the elimination order.
     let forward = symbolic.perm().map(|perm| perm.arrays().0.to_vec());
     let original = |place: usize| forward.as_ref().map_or(place, |forward| forward[place]);
     Ok(match symbolic.raw() {
         SymbolicCholeskyRaw::Simplicial(structure) => {
             let factor = simplicial::SimplicialLdltRef::new(structure, &values);
-            let pivots = structure.col_ptr()[..matrix.nrows()].iter().map(|&start| factor.values()[start]);
+            let pivots = structure.col_ptr()[..lower.nrows()].iter().map(|&start| factor.values()[start]);
             pivots.enumerate().map(|(place, pivot)| (original(place), pivot)).collect()
         }
         SymbolicCholeskyRaw::Supernodal(structure) => {
             let factor = supernodal::SupernodalLdltRef::new(structure, &values);
-            let mut pivots = Vec::with_capacity(matrix.nrows());
+            let mut pivots = Vec::with_capacity(lower.nrows());
             for number in 0..structure.n_supernodes() {
                 let node = factor.supernode(number);
                 let block = node.val();

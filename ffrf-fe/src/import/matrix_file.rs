@@ -5,8 +5,21 @@ use std::path::Path;
 use super::node_table::NodeLookup;
 use super::raw_matrix::RawMatrix;
 use super::source::Source;
+use super::symmetric::Columns;
 use super::{listed_matrix, matrix_market, numpy};
-use crate::FeError;
+use crate::{FeError, Nodes, SparseMatrix};
+
+/// Reads one symmetric matrix as it stands, without the checks that [`read_model`](super::read_model) makes on
+/// definiteness, sizes and boundary conditions.
+///
+/// Shape: as the file declares; for lists the largest index; for lists with node labels 3N x 3N. Both triangles.
+///
+/// # Errors
+/// A file that does not follow its format, or an asymmetric matrix.
+pub fn read_matrix(path: &Path, nodes: &Nodes) -> Result<SparseMatrix, FeError> {
+    let raw = read(path, &NodeLookup::new(&nodes.ids))?;
+    Columns::from_entries(&raw.entries, raw.size).symmetric(raw.storage, raw.source.path())
+}
 
 /// Reads Matrix Market, NumPy and headerless lists.
 pub(crate) fn read(path: &Path, nodes: &NodeLookup) -> Result<RawMatrix, FeError> {

@@ -22,6 +22,7 @@ mod compressed;
 mod deck;
 mod definiteness;
 mod entries;
+mod large_definiteness;
 mod listed_matrix;
 mod mass;
 mod matrix_file;
@@ -38,6 +39,7 @@ mod source;
 mod symmetric;
 mod text_table;
 
+pub use matrix_file::read_matrix;
 pub use mode_shapes::{read_mode_shapes, read_square_matrix};
 pub use model_files::{ModelFiles, NodeSource, read_model};
 pub use provenance::source_file;
