@@ -117,7 +117,7 @@ impl Jacobian {
         let quadratic = quadratic_velocity(graph, body, &state, &deformed);
         let acceleration = forward_dynamics(graph, body, &state, &deformed, &quadratic)?;
         let residual = residual(graph, body, &state, &deformed, &quadratic);
-        graph.section("Derivatives of the accelerations");
+        graph.hold_section("Derivatives of the accelerations");
 
         // A body without internal forces whose quadratic velocity vector is zero: w = M⁻¹ force.
         let zero = graph.zero();
@@ -148,6 +148,7 @@ impl Jacobian {
                 })
                 .collect()
         });
+        graph.release_section();
         failure.map_or(Ok(jacobian), Err)
     }
 }

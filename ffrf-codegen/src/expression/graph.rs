@@ -70,6 +70,7 @@ pub struct Graph {
     sections: Vec<u32>,
     section_names: Vec<String>,
     current_section: u32,
+    section_held: bool,
     index: HashMap<Node, Expression>,
     rounded_folds: usize,
 }
@@ -139,8 +140,13 @@ impl Graph {
         self.labels[expression.index()].as_ref()
     }
 
-    /// Opens a section: nodes inserted from now on belong to it.
+    /// Opens a section: nodes inserted from now on belong to it. Nothing happens while a section is held.
+    ///
+    /// A section must not be opened again once a later one has nodes: the emitter prints sections one after another.
     pub fn section(&mut self, name: &str) {
+        if self.section_held {
+            return;
+        }
         let position = self.section_names.iter().position(|known| known == name);
         self.current_section = match position {
             Some(position) => position as u32,
@@ -149,6 +155,18 @@ impl Graph {
                 (self.section_names.len() - 1) as u32
             }
         };
+    }
+
+    /// Opens a section and keeps it open, for formulations that are used once more as a part of another, until
+    /// [`Graph::release_section`].
+    pub fn hold_section(&mut self, name: &str) {
+        self.section(name);
+        self.section_held = true;
+    }
+
+    /// Lets sections be opened again.
+    pub fn release_section(&mut self) {
+        self.section_held = false;
     }
 
     /// Name of the section that a node belongs to; empty if none was opened.
