@@ -30,6 +30,8 @@ mod free_body;
 #[doc(hidden)]
 pub mod generated_support;
 mod jacobians;
+#[doc(hidden)]
+pub mod lanes;
 mod linearly_implicit;
 mod load;
 mod marker;

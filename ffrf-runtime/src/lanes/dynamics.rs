@@ -1,0 +1,161 @@
+//! The kernels with accelerations: modes eliminated first, then translation, then rotation.
+
+use super::equations::{Deformed, Quadratic, sums};
+use super::rigid::{dot, inverse, subtract, times};
+use super::scalar::{Register, grouped, ungroup};
+use super::{LaneBody, Lanes, MomentTable, Scalar};
+
+impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
+    /// Mass matrix M(q), columns of N = 6 + M entries. Source: (203).
+    #[inline(always)]
+    pub fn mass_matrix<const N: usize>(&self, q: &[T; M]) -> [[T; N]; N] {
+        let (deformed, _) = self.state(q, [T::ZERO; 3], &[T::ZERO; M]);
+        let mut columns = [[T::ZERO; N]; N];
+        self.write_mass_matrix(&deformed, &mut columns);
+        columns
+    }
+
+    /// Quadratic velocity vector Q(q, ω, q̇). Shape: N. Source: (209), corrected.
+    #[inline(always)]
+    pub fn quadratic_velocity<const N: usize>(&self, q: &[T; M], omega: &[T; 3], q_dot: &[T; M]) -> [T; N] {
+        let (_, quadratic) = self.state(q, *omega, q_dot);
+        quadratic.vector()
+    }
+
+    /// Accelerations [α; ω̇; q̈] under `force`, from which elastic and damping forces are subtracted already.
+    #[inline(always)]
+    pub fn forward_dynamics<const N: usize>(
+        &self,
+        q: &[T; M],
+        omega: &[T; 3],
+        q_dot: &[T; M],
+        force: &[T; N],
+    ) -> [T; N] {
+        let (deformed, quadratic) = self.state(q, *omega, q_dot);
+        self.accelerations(&deformed, &quadratic, force)
+    }
+
+    /// Mass matrix, quadratic velocity vector and accelerations in one pass; `force` as in
+    /// [`LaneBody::forward_dynamics`].
+    #[inline(always)]
+    pub fn equations_of_motion<const N: usize>(
+        &self,
+        q: &[T; M],
+        omega: &[T; 3],
+        q_dot: &[T; M],
+        force: &[T; N],
+    ) -> ([[T; N]; N], [T; N], [T; N]) {
+        let (deformed, quadratic) = self.state(q, *omega, q_dot);
+        let accelerations = self.accelerations(&deformed, &quadratic, force);
+        let mut columns = [[T::ZERO; N]; N];
+        self.write_mass_matrix(&deformed, &mut columns);
+        (columns, quadratic.vector(), accelerations)
+    }
+
+    /// M⁻¹ (force - Q): q̈ by the diagonal Θ_ff, α by a constant matrix, ω̇ by a 3 x 3 inverse.
+    #[inline(always)]
+    fn accelerations<const N: usize>(
+        &self,
+        deformed: &Deformed<T, G>,
+        quadratic: &Quadratic<T, G>,
+        force: &[T; N],
+    ) -> [T; N] {
+        const { assert!(N == 6 + M) };
+        let mut modal: [Register<T>; G] = grouped(&force[6..]);
+        let mut coupled = [Register::<T>::ZERO; 9];
+        let mut shared = [Register::<T>::ZERO; 9];
+        let mut carried = [Register::<T>::ZERO; 3];
+        for g in 0..G {
+            modal[g] = modal[g] - quadratic.modal[g];
+            let rows = [0, 1, 2].map(|axis| deformed.coupling[axis][g]);
+            let weighted = rows.map(|row| self.modal_compliance.times(g, row));
+            let free = self.modal_compliance.times(g, modal[g]);
+            // Θ_rf Θ_ff⁻¹ Θ_rfᵀ and Θ_rf Θ_ff⁻¹ f
+            for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+                shared[k] = rows[i].multiply_add(weighted[j], shared[k]);
+            }
+            for i in 0..3 {
+                shared[6 + i] = rows[i].multiply_add(free, shared[6 + i]);
+            }
+            // m B Θ_ff⁻¹ Θ_rfᵀ and m B Θ_ff⁻¹ f
+            if let Some(moments) = self.modal_first_moment {
+                for i in 0..3 {
+                    let moment = Register::<T>::load(&moments[g][i]);
+                    for j in 0..3 {
+                        coupled[3 * i + j] = moment.multiply_add(weighted[j], coupled[3 * i + j]);
+                    }
+                    carried[i] = moment.multiply_add(free, carried[i]);
+                }
+            }
+        }
+        let shared = sums::<T, 9>(shared);
+        let mut rotation = [3, 4, 5].map(|i| force[i] - quadratic.rotation[i - 3] - shared[i + 3]);
+        let [s0, s1, s2, s3, s4, s5, ..] = shared;
+        let mut schur = subtract(deformed.inertia, [s0, s1, s2, s3, s4, s5]);
+        let mut translation = [0, 1, 2].map(|i| force[i] - quadratic.translation[i]);
+
+        let angular;
+        if self.first_moment.is_none() && self.modal_first_moment.is_none() {
+            translation = times(self.translation_compliance, translation);
+            angular = times(inverse(schur), rotation);
+        } else {
+            // Columns of -m r̃ - m B Θ_ff⁻¹ Θ_rfᵀ.
+            let [x, y, z] = deformed.first_moment;
+            let zero = T::ZERO;
+            let mut columns = [[zero, -z, y], [z, zero, -x], [-y, x, zero]];
+            if self.modal_first_moment.is_some() {
+                let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = coupled;
+                let [f0, f1, f2] = carried;
+                let [c0, c1, c2, c3, c4, c5, c6, c7, c8, f0, f1, f2] =
+                    sums::<T, 12>([c0, c1, c2, c3, c4, c5, c6, c7, c8, f0, f1, f2]);
+                columns = [[-c0, -z - c3, y - c6], [z - c1, -c4, -x - c7], [-y - c2, x - c5, -c8]];
+                translation = subtract(translation, [f0, f1, f2]);
+            }
+            let moved = columns.map(|column| times(self.translation_compliance, column));
+            translation = times(self.translation_compliance, translation);
+            for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+                schur[k] -= dot(columns[i], moved[j]);
+            }
+            for axis in 0..3 {
+                rotation[axis] -= dot(columns[axis], translation);
+            }
+            angular = times(inverse(schur), rotation);
+            for axis in 0..3 {
+                translation[axis] -= dot([moved[0][axis], moved[1][axis], moved[2][axis]], angular);
+            }
+        }
+
+        let (along, about) = (translation.map(Register::<T>::splat), angular.map(Register::<T>::splat));
+        for g in 0..G {
+            for axis in 0..3 {
+                modal[g] = deformed.coupling[axis][g].subtract_from(about[axis], modal[g]);
+                if let Some(moments) = self.modal_first_moment {
+                    modal[g] = Register::<T>::load(&moments[g][axis]).subtract_from(along[axis], modal[g]);
+                }
+            }
+            modal[g] = self.modal_compliance.times(g, modal[g]);
+        }
+        vector(translation, angular, &modal)
+    }
+}
+
+impl<T: Scalar, const G: usize> Quadratic<T, G> {
+    #[inline(always)]
+    fn vector<const N: usize>(&self) -> [T; N] {
+        vector(self.translation, self.rotation, &self.modal)
+    }
+}
+
+/// The parts one below the other.
+#[inline(always)]
+fn vector<T: Scalar, const N: usize, const G: usize>(
+    translation: [T; 3],
+    rotation: [T; 3],
+    modal: &[Register<T>; G],
+) -> [T; N] {
+    let mut entries = [T::ZERO; N];
+    entries[..3].copy_from_slice(&translation);
+    entries[3..6].copy_from_slice(&rotation);
+    ungroup(modal, &mut entries[6..]);
+    entries
+}

@@ -1,0 +1,32 @@
+//! Kinetic energy and angular momentum.
+
+use super::equations::sums;
+use super::rigid::{add, cross, dot, times};
+use super::scalar::{Register, groups};
+use super::{LaneBody, Lanes, MomentTable, Scalar};
+
+impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
+    /// Kinetic energy. Units: J. Source: MATH.md, the sum of all kept terms.
+    #[inline(always)]
+    pub fn kinetic_energy(&self, q: &[T; M], velocity: &[T; 3], omega: &[T; 3], q_dot: &[T; M]) -> T {
+        let (deformed, _) = self.state(q, *omega, q_dot);
+        let rates = groups::<T, M, G>(q_dot);
+        let mut modal = Register::<T>::ZERO;
+        for g in 0..G {
+            modal = self.modal_mass.times(g, rates[g]).multiply_add(rates[g], modal);
+        }
+        let [modal] = sums::<T, 1>([modal]);
+        let (velocity, omega) = (*velocity, *omega);
+        let carried = add(cross(omega, deformed.first_moment), deformed.momentum);
+        let twice = self.mass * dot(velocity, velocity) + dot(omega, times(deformed.inertia, omega)) + modal;
+        T::HALF * twice + dot(velocity, carried) + dot(omega, deformed.spin)
+    }
+
+    /// Angular momentum m r × v + Θ_rr ω + Θ_rf q̇ about the frame origin. Shape: 3. Units: N m s.
+    #[inline(always)]
+    pub fn angular_momentum(&self, q: &[T; M], velocity: &[T; 3], omega: &[T; 3], q_dot: &[T; M]) -> [T; 3] {
+        let (deformed, _) = self.state(q, *omega, q_dot);
+        let orbital = cross(deformed.first_moment, *velocity);
+        add(orbital, add(times(deformed.inertia, *omega), deformed.spin))
+    }
+}

@@ -1,0 +1,197 @@
+//! T_νμ = T_μνᵀ stored once and used twice.
+//!
+//! Blocks of W x W modes. A block below the diagonal acts on the columns' coordinates for its rows, and
+//! transposed on the rows' coordinates for its columns. To do both without horizontal sums, a block is stored by
+//! its wrapped diagonals: entry r of diagonal k belongs to row r and column (r + k) mod W. Then
+//!
+//! ```text
+//! rows    += diagonal_k * rotate_k(columns' q)
+//! partial_k += ± diagonal_k * rows' q,     columns += rotate_-k(partial_k) once, at the end of the column
+//! ```
+//!
+//! with + for the even components (symmetric under μ <-> ν) and - for the odd ones (antisymmetric).
+
+use super::scalar::grouped;
+use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
+
+/// Moments by blocks of `W` x `W` modes, for `H` rows of blocks; `TILES` = 8 H (H - 1) / 2.
+///
+/// Components: yy, zz, xy + yx, xz + zx, yz + zy, then ϑ_νμ (3); rows are μ, columns ν.
+#[derive(Debug, Clone, Copy)]
+#[repr(C, align(64))]
+pub struct HalfTable<T, const W: usize, const H: usize, const TILES: usize> {
+    /// Diagonal blocks, whole: `[row of blocks][component][diagonal][lane]`.
+    pub diagonal: [[[[T; W]; W]; 8]; H],
+    /// One component of a block below the diagonal each, in the order of use: column by column of blocks; in a
+    /// column the components in the groups (0, 1), (2, 3), (4), (5), (6), (7); in such a group row by row, then
+    /// component by component.
+    pub below: [[[T; W]; W]; TILES],
+}
+
+type Of<T, const W: usize> = <T as HasLanes<W>>::Lanes;
+
+/// What a block column knows while it is worked through.
+struct Column<R, const W: usize> {
+    /// Its coordinates, rotated by 0..W.
+    q: [R; W],
+    /// Its rates, rotated by 0..W.
+    q_dot: [R; W],
+}
+
+#[inline(always)]
+fn rotations<T: Copy, R: Lanes<T, W>, const W: usize>(lanes: R) -> [R; W] {
+    core::array::from_fn(|by| lanes.rotate(by))
+}
+
+/// Σ_k rotate_-k(partial_k), pairwise.
+#[inline(always)]
+fn collect<T: Copy, R: Lanes<T, W>, const W: usize>(partial: &[R; W]) -> R {
+    let mut terms: [R; W] = core::array::from_fn(|k| partial[k].rotate(W - k));
+    let mut count = W;
+    while count > 1 {
+        count /= 2;
+        for k in 0..count {
+            terms[k] = terms[2 * k] + terms[2 * k + 1];
+        }
+    }
+    terms[0]
+}
+
+/// `N` even components of one block column; `below` runs through the tiles.
+#[inline(always)]
+fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const N: usize>(
+    column: usize,
+    coordinates: &[Of<T, W>; H],
+    known: &Column<Of<T, W>, W>,
+    diagonal: &[[[T; W]; W]],
+    below: &mut core::slice::Iter<'a, [[T; W]; W]>,
+    moments: &mut [[Of<T, W>; H]],
+) {
+    let mut partial = [[Of::<T, W>::ZERO; W]; N];
+    for row in column + 1..H {
+        let q = coordinates[row];
+        for (moments, partial) in moments.iter_mut().zip(&mut partial) {
+            let Some(tile) = below.next() else { return };
+            let mut sum = moments[row];
+            for k in 0..W {
+                let moment = Of::<T, W>::load(&tile[k]);
+                sum = moment.multiply_add(known.q[k], sum);
+                partial[k] = moment.multiply_add(q, partial[k]);
+            }
+            moments[row] = sum;
+        }
+    }
+    for ((moments, partial), diagonal) in moments.iter_mut().zip(&partial).zip(diagonal) {
+        let mut sum = moments[column];
+        for k in 0..W {
+            sum = Of::<T, W>::load(&diagonal[k]).multiply_add(known.q[k], sum);
+        }
+        moments[column] = sum + collect(partial);
+    }
+}
+
+/// One odd component of one block column, and its part of the whirl; `twice` is 2 ω of that axis.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)] // the state of one loop nest, written once
+fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
+    column: usize,
+    [coordinates, rates]: [&[Of<T, W>; H]; 2],
+    known: &Column<Of<T, W>, W>,
+    twice: Of<T, W>,
+    diagonal: &[[T; W]; W],
+    below: &mut core::slice::Iter<'a, [[T; W]; W]>,
+    moments: &mut [Of<T, W>; H],
+    whirl: &mut [Of<T, W>; H],
+    whirl_partial: &mut [Of<T, W>; W],
+) {
+    let mut partial = [Of::<T, W>::ZERO; W];
+    let turned = known.q_dot.map(|rate| rate * twice);
+    for row in column + 1..H {
+        let (q, rate) = (coordinates[row], rates[row] * twice);
+        let Some(tile) = below.next() else { return };
+        let (mut sum, mut turn) = (moments[row], whirl[row]);
+        for k in 0..W {
+            let moment = Of::<T, W>::load(&tile[k]);
+            sum = moment.multiply_add(known.q[k], sum);
+            turn = moment.multiply_add(turned[k], turn);
+            partial[k] = moment.subtract_from(q, partial[k]);
+            whirl_partial[k] = moment.subtract_from(rate, whirl_partial[k]);
+        }
+        moments[row] = sum;
+        whirl[row] = turn;
+    }
+    // Diagonal 0 of a diagonal block is ϑ_μμ = 0.
+    let (mut sum, mut turn) = (moments[column], whirl[column]);
+    for k in 1..W {
+        let moment = Of::<T, W>::load(&diagonal[k]);
+        sum = moment.multiply_add(known.q[k], sum);
+        turn = moment.multiply_add(turned[k], turn);
+    }
+    moments[column] = sum + collect(&partial);
+    whirl[column] = turn;
+}
+
+/// Blocks of `W` lanes as groups of four.
+#[inline(always)]
+fn split<T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: usize>(
+    blocks: &[Of<T, W>; H],
+) -> [Of<T, 4>; G] {
+    let numbers = blocks.map(Lanes::store);
+    grouped(numbers.as_flattened())
+}
+
+impl<T, const M: usize, const G: usize, const W: usize, const H: usize, const TILES: usize>
+    MomentTable<T, M, G> for HalfTable<T, W, H, TILES>
+where
+    T: Scalar + HasLanes<W>,
+{
+    #[inline(always)]
+    fn times(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3]) -> Moments<T, G> {
+        const { assert!(TILES == 4 * H * (H - 1) && 4 * G == W * H && W * H >= M) };
+        let (coordinates, rates) = (blocks::<T, M, W, H>(q), blocks::<T, M, W, H>(q_dot));
+        let two_omega = two_omega.map(Of::<T, W>::splat);
+        let mut evens = [[Of::<T, W>::ZERO; H]; 5];
+        let mut odds = [[Of::<T, W>::ZERO; H]; 3];
+        let mut whirl = [Of::<T, W>::ZERO; H];
+        let mut below = self.below.iter();
+        for column in 0..H {
+            let known = Column { q: rotations(coordinates[column]), q_dot: rotations(rates[column]) };
+            let diagonal = &self.diagonal[column];
+            even::<T, W, H, 2>(column, &coordinates, &known, &diagonal[..2], &mut below, &mut evens[..2]);
+            even::<T, W, H, 2>(column, &coordinates, &known, &diagonal[2..4], &mut below, &mut evens[2..4]);
+            even::<T, W, H, 1>(column, &coordinates, &known, &diagonal[4..5], &mut below, &mut evens[4..]);
+            let mut partial = [Of::<T, W>::ZERO; W];
+            for axis in 0..3 {
+                odd::<T, W, H>(
+                    column,
+                    [&coordinates, &rates],
+                    &known,
+                    two_omega[axis],
+                    &diagonal[5 + axis],
+                    &mut below,
+                    &mut odds[axis],
+                    &mut whirl,
+                    &mut partial,
+                );
+            }
+            whirl[column] = whirl[column] + collect(&partial);
+        }
+        Moments {
+            even: evens.map(|even| split::<T, W, H, G>(&even)),
+            odd: odds.map(|odd| split::<T, W, H, G>(&odd)),
+            whirl: split::<T, W, H, G>(&whirl),
+        }
+    }
+}
+
+/// The numbers in blocks of `W`, padded with zero.
+#[inline(always)]
+fn blocks<T: Scalar + HasLanes<W>, const M: usize, const W: usize, const H: usize>(
+    numbers: &[T; M],
+) -> [Of<T, W>; H] {
+    let mut padded = [[T::ZERO; W]; H];
+    for (place, number) in padded.as_flattened_mut().iter_mut().zip(numbers) {
+        *place = *number;
+    }
+    padded.map(|block| Lanes::load(&block))
+}

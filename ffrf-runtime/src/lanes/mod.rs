@@ -1,0 +1,43 @@
+//! Kernels for bodies with many modes: constant tables in the layout of vector registers, and loops over them.
+//!
+//! Straight-line code stops paying when it outgrows the instruction cache. What remains the same for every body
+//! is then written once, here, and a generated body supplies its numbers: a [`LaneBody`] in a `static`. Because
+//! the tables are constants, what a layout leaves out (`None`, [`Diagonal::Identity`]) is left out of the machine
+//! code as well.
+//!
+//! A *lane* is one mode. Modes stand side by side in registers, in groups of four (`G` groups, padded with zero);
+//! sums over modes are horizontal sums at the end. The work is in the product q_ν T_νμ, 11 M² multiply-adds:
+//! - [`FullTable`]: every T_μν is stored, q_ν is spread over the lanes;
+//! - [`HalfTable`]: T_νμ = T_μνᵀ is stored once and used twice, for tables that outgrow the first-level cache.
+//!
+//! Safe code on every target: the registers are those of the `wide` crate, which falls back to arrays.
+
+mod body;
+mod dynamics;
+mod energy;
+mod equations;
+mod full_table;
+mod half_table;
+mod mass_matrix;
+mod moments;
+mod rigid;
+mod scalar;
+mod vector;
+
+pub use body::{Diagonal, LaneBody};
+pub use full_table::FullTable;
+pub use half_table::HalfTable;
+pub use moments::{MomentTable, Moments};
+pub use scalar::Scalar;
+pub use vector::{Four, HasLanes, Lanes};
+
+/// `force` less the elastic and damping forces `internal` in its modal rows. Shape: N = 6 + M.
+#[inline(always)]
+pub fn net_force<T: Scalar, const N: usize, const M: usize>(force: &[T; N], internal: &[T; M]) -> [T; N] {
+    const { assert!(N == 6 + M) };
+    let mut net = *force;
+    for (net, internal) in net[6..].iter_mut().zip(internal) {
+        *net -= *internal;
+    }
+    net
+}
