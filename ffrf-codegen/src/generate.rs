@@ -8,7 +8,8 @@ use crate::counts::OperationCounts;
 use crate::emit;
 use crate::expression::Graph;
 use crate::formulate::{Kernel, KernelKind};
-use crate::layout::found;
+use crate::lanes;
+use crate::layout::{Layout, found};
 use crate::passes;
 use crate::report::{KernelReport, Report, Source};
 use crate::validate::ValidKernel;
@@ -34,29 +35,64 @@ pub fn generate(body: &ReducedBody, options: &GenerateOptions) -> Result<Generat
     let mut graph = Graph::new();
     let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
         .truncated(&mut graph, &options.fidelity);
+    let lanes = lanes::choose(&graph, &expressions, options)?;
+    let looped: &[KernelKind] = if lanes.is_some() { &lanes::IN_LANES } else { &[] };
+    let kernels = kernels(&graph, &expressions, options, false, looped)?;
+    let layout = found(&body, options.layout_tolerance);
+    let mut report = report(body.mode_count(), Some(source), layout, &kernels);
+    report.lanes = lanes.as_ref().map(|lanes| lanes.description(options.scalar));
+    let text = emit::baked_body(&body, &kernels, lanes.as_ref(), &report, options);
+    finish(text, report)
+}
+
+/// Generates the code of a body whose invariants are supplied at run time, as far as `layout` leaves them open.
+///
+/// Errors: [`CodegenError::Structure`], [`CodegenError::Name`]. Panics: never.
+pub fn generate_with_layout(
+    mode_count: usize,
+    layout: &Layout,
+    options: &GenerateOptions,
+) -> Result<GeneratedCode, CodegenError> {
+    layout.check()?;
+    check_name(&options.name)?;
+    let mut graph = Graph::new();
+    let expressions =
+        BodyExpressions::symbolic(&mut graph, mode_count, layout).truncated(&mut graph, &options.fidelity);
+    let kernels = kernels(&graph, &expressions, options, true, &[])?;
+    let report = report(mode_count, None, *layout, &kernels);
+    let text = emit::parameter_body(&kernels, &report, options);
+    finish(text, report)
+}
+
+/// Every kernel that the options want but those `looped` over lanes, through all passes and the validator.
+fn kernels(
+    graph: &Graph,
+    expressions: &BodyExpressions,
+    options: &GenerateOptions,
+    has_parameters: bool,
+    looped: &[KernelKind],
+) -> Result<Vec<ValidKernel>, CodegenError> {
     let requested: &[KernelKind] = if options.jacobians { &KernelKind::JACOBIANS } else { &[] };
-    let kernels = KernelKind::ALL
+    KernelKind::ALL
         .iter()
         .chain(requested)
+        .filter(|kind| !looped.contains(kind))
         .map(|&kind| {
-            let kernel = Kernel::formulate(kind, graph.clone(), &expressions)?;
-            ValidKernel::new(passes::run(kernel, options.fused_multiply_add), false)
+            let kernel = Kernel::formulate(kind, graph.clone(), expressions)?;
+            ValidKernel::new(passes::run(kernel, options.fused_multiply_add), has_parameters)
         })
-        .collect::<Result<Vec<_>, _>>()?;
-    let report = Report {
-        mode_count: body.mode_count(),
-        source: Some(source),
-        layout: found(&body, options.layout_tolerance),
-        kernels: kernels
-            .iter()
-            .map(|kernel| KernelReport {
-                name: kernel.kernel().kind.name(),
-                counts: OperationCounts::of(kernel.kernel()),
-            })
-            .collect(),
-    };
-    let text = emit::baked_body(&body, &kernels, &report, options);
-    finish(text, report)
+        .collect()
+}
+
+fn report(mode_count: usize, source: Option<Source>, layout: Layout, kernels: &[ValidKernel]) -> Report {
+    let kernels = kernels
+        .iter()
+        .map(|kernel| KernelReport {
+            name: kernel.kernel().kind.name(),
+            counts: OperationCounts::of(kernel.kernel()),
+        })
+        .collect();
+    Report { mode_count, source, layout, lanes: None, kernels }
 }
 
 fn finish(text: String, report: Report) -> Result<GeneratedCode, CodegenError> {

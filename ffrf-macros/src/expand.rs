@@ -2,14 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use ffrf_codegen::{CodegenError, generate};
-use ffrf_model::ReducedBody;
-use proc_macro2::{Group, Ident, TokenStream, TokenTree};
+use ffrf_codegen::{CodegenError, GenerateOptions, GeneratedCode, generate, generate_with_layout};
+use ffrf_model::{ModelError, ReducedBody};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use quote::quote;
+use syn::LitStr;
 
 use crate::fallback::fallback;
 use crate::parse::Input;
-use crate::validate::{Request, validate};
+use crate::validate::{Request, Source, validate};
 
 /// The whole macro.
 pub(crate) fn flexible_body(input: TokenStream) -> TokenStream {
@@ -23,27 +24,41 @@ pub(crate) fn flexible_body(input: TokenStream) -> TokenStream {
     }
 }
 
-fn body(input: &Input, mut request: Request) -> syn::Result<TokenStream> {
-    let at_model = |message: String| syn::Error::new(request.model.span(), message);
-    let relative = request.model.value();
+fn body(input: &Input, request: Request) -> syn::Result<TokenStream> {
+    let Request { source, mut options } = request;
+    let (code, watch) = match &source {
+        Source::Model { path, modes } => (from_model(path, *modes, &mut options)?, rebuild_on_change(path)),
+        Source::Layout { mode_count, layout, span } => {
+            let code = generate_with_layout(*mode_count, layout, &options)
+                .map_err(|error| syn::Error::new(*span, error.to_string()))?;
+            (code, TokenStream::new())
+        }
+    };
+    let tokens = with_users_name(code.tokens, &input.name);
+    Ok(quote! { #tokens #watch })
+}
+
+fn from_model(
+    path: &LitStr,
+    modes: Option<Span>,
+    options: &mut GenerateOptions,
+) -> syn::Result<GeneratedCode> {
+    let relative = path.value();
+    let at_model = |message: String| syn::Error::new(path.span(), message);
     let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-    let path = folder.join(&relative);
-    if !path.is_file() {
+    let file = folder.join(&relative);
+    if !file.is_file() {
         return Err(at_model(format!("there is no file `{relative}` in the folder of Cargo.toml")));
     }
-    let text = std::fs::read_to_string(&path)
+    let text = std::fs::read_to_string(&file)
         .map_err(|error| at_model(format!("cannot read `{relative}`: {error}")))?;
     let model = ReducedBody::from_json(&text).map_err(|error| at_model(format!("`{relative}`: {error}")))?;
-    request.options.source_name = file_name(&path);
-    let code = generate(&model, &request.options).map_err(|error| match (&error, &request.modes) {
-        (CodegenError::Model(ffrf_model::ModelError::TooFewModes { .. }), Some(modes)) => {
-            syn::Error::new(modes.span, format!("`{relative}`: {error}"))
-        }
-        _ => at_model(format!("`{relative}`: {error}")),
-    })?;
-    let tokens = with_users_name(code.tokens, &input.name);
-    let watch = rebuild_on_change(&relative, &request.model);
-    Ok(quote! { #tokens #watch })
+    options.source_name = file_name(&file);
+    generate(&model, options).map_err(|error| {
+        let too_few = matches!(error, CodegenError::Model(ModelError::TooFewModes { .. }));
+        let span = modes.filter(|_| too_few).unwrap_or_else(|| path.span());
+        syn::Error::new(span, format!("`{relative}`: {error}"))
+    })
 }
 
 fn file_name(path: &Path) -> String {
@@ -51,11 +66,12 @@ fn file_name(path: &Path) -> String {
 }
 
 /// Makes the compiler read the file, so that a change of it rebuilds the crate. No machine path in the output.
-fn rebuild_on_change(relative: &str, model: &syn::LitStr) -> TokenStream {
-    if Path::new(relative).is_absolute() {
+fn rebuild_on_change(model: &LitStr) -> TokenStream {
+    let relative = model.value();
+    if Path::new(&relative).is_absolute() {
         return quote! { const _: &[u8] = ::core::include_bytes!(#model); };
     }
-    let tail = syn::LitStr::new(&format!("/{relative}"), model.span());
+    let tail = LitStr::new(&format!("/{relative}"), model.span());
     quote! {
         const _: &[u8] =
             ::core::include_bytes!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), #tail));

@@ -5,6 +5,7 @@ mod expand;
 mod fallback;
 mod parse;
 mod validate;
+mod values;
 
 use proc_macro::TokenStream;
 
@@ -27,6 +28,27 @@ use proc_macro::TokenStream;
 ///
 /// The result is a unit struct that implements `ffrf::FlexibleBody<M, N, scalar>`, with a constant for each marker
 /// of the model. When the model file changes, the crate is rebuilt.
+///
+/// Without a model the invariants are supplied at run time; what the layout says is zero or one is no field of the
+/// struct and costs nothing:
+///
+/// ```text
+/// ffrf::flexible_body! {
+///     pub struct Arm {
+///         modes: 2,
+///         layout: {                          // what is not named is as general as it can be
+///             first_moment: zero,            // zero or dense
+///             modal_first_moment: zero,      // zero or dense
+///             second_moment: diagonal,       // diagonal or dense
+///             position_mode_moment: symmetric, // zero, diagonal, symmetric, antisymmetric or dense
+///             mode_mode_moment: dense,       // the same
+///             modal_mass: identity,          // identity, diagonal or dense
+///             stiffness: diagonal,           // zero, identity, diagonal or dense
+///             damping: zero,                 // the same
+///         },
+///     }
+/// }
+/// ```
 #[proc_macro]
 pub fn flexible_body(input: TokenStream) -> TokenStream {
     expand::flexible_body(input.into()).into()

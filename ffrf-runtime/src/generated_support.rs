@@ -25,6 +25,18 @@ pub fn fused_multiply_add_f32(a: f32, b: f32, c: f32) -> f32 {
     return a * b + c;
 }
 
+/// a b + c rounded once on every target, in software where there is no instruction.
+#[inline(always)]
+pub fn always_fused_multiply_add(a: f64, b: f64, c: f64) -> f64 {
+    ComplexField::mul_add(a, b, c)
+}
+
+/// [`always_fused_multiply_add`] in single precision.
+#[inline(always)]
+pub fn always_fused_multiply_add_f32(a: f32, b: f32, c: f32) -> f32 {
+    ComplexField::mul_add(a, b, c)
+}
+
 /// Square root, from `std` or `libm`.
 #[inline(always)]
 pub fn square_root(x: f64) -> f64 {
@@ -81,6 +93,10 @@ mod tests {
     fn products_and_roots() {
         assert_eq!(fused_multiply_add(2.0, 3.0, 4.0), 10.0);
         assert_eq!(fused_multiply_add_f32(2.0, 3.0, 4.0), 10.0);
+        // (1 + e) (1 - e) = 1 - e² with e = 2^-52: the product alone rounds to 1.
+        let tiny = f64::EPSILON / 4.0;
+        assert_eq!(always_fused_multiply_add(1.0 + 4.0 * tiny, 1.0 - 4.0 * tiny, -1.0), -16.0 * tiny * tiny);
+        assert_eq!(always_fused_multiply_add_f32(2.0, 3.0, 4.0), 10.0);
         assert_eq!(square_root(2.0), core::f64::consts::SQRT_2);
         assert_eq!(square_root_f32(9.0), 3.0);
     }

@@ -18,7 +18,8 @@ impl BodyExpressions {
 /// The full matrices of a symbolic body: the input of the energy as well as of the structured kernels.
 ///
 /// Θ_ff = [tr T_μν] holds identically: where the layout fixes an entry of Θ_ff, T_μν^{xx} is what the trace
-/// leaves. The kernels never use it.
+/// leaves. The kernels never use it. Where T_μν is declared zero or antisymmetric, the other entries of Θ_ff are
+/// symbols of their own, and T_μν^{xx} follows from them as well.
 pub fn raw_inertia(graph: &mut Graph, mode_count: usize, layout: &Layout) -> RawInertia {
     let modes = || 0..mode_count;
     let mut position_mode_moment = Vec::with_capacity(mode_count);
@@ -37,6 +38,9 @@ pub fn raw_inertia(graph: &mut Graph, mode_count: usize, layout: &Layout) -> Raw
             let mass = match (layout.modal_mass, mu == nu) {
                 (Structure::Identity, true) => Some(graph.one()),
                 (Structure::Identity | Structure::Diagonal, false) => Some(graph.zero()),
+                _ if layout.has_own_modal_mass() => {
+                    Some(graph.symbol(Symbol::ModalMass(mu.min(nu), mu.max(nu))))
+                }
                 _ => None,
             };
             masses.push(match mass {

@@ -32,6 +32,9 @@ pub(super) fn banner(options: &GenerateOptions, report: &Report) -> Vec<String> 
         options.layout_tolerance
     ));
     lines.push(format!("Layout: {}", report.layout));
+    if let Some(lanes) = &report.lanes {
+        lines.push(format!("Strategy: {lanes}"));
+    }
     lines.push("Cost of one call:".to_owned());
     for kernel in &report.kernels {
         lines.push(format!("  {:20} {}", kernel.name, kernel.counts));

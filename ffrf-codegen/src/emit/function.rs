@@ -8,6 +8,7 @@ use crate::ScalarType;
 use crate::counts::OperationCounts;
 use crate::expression::{Node, Symbol};
 use crate::formulate::{Argument, Kernel, OutputShape};
+use crate::layout::Layout;
 use crate::passes::use_counts;
 use crate::validate::ValidKernel;
 
@@ -21,8 +22,8 @@ pub(super) const LINE_WIDTH: usize = 110;
 pub(super) struct FunctionStyle<'a> {
     /// Scalar type of all values.
     pub(super) scalar: ScalarType,
-    /// Name of the struct, if its fields are inputs of the functions.
-    pub(super) parameters: Option<&'a str>,
+    /// Name and layout of the struct, if its fields are inputs of the functions.
+    pub(super) parameters: Option<(&'a str, &'a Layout)>,
 }
 
 /// Documentation and text of the function, indented by `indent`.
@@ -84,7 +85,7 @@ fn shape_type(shape: OutputShape, scalar: ScalarType) -> String {
 
 fn signature(kernel: &Kernel, style: FunctionStyle<'_>, used: &[Symbol]) -> String {
     let mut inputs = Vec::new();
-    if let Some(name) = style.parameters {
+    if let Some((name, _)) = style.parameters {
         let unused = if used.iter().any(|symbol| symbol.is_parameter()) { "" } else { "_" };
         inputs.push(format!("{unused}body: &{name}"));
     }
@@ -152,7 +153,10 @@ impl<'a> Statements<'a> {
             let text = match node {
                 Node::Symbol(symbol) => {
                     self.used.push(symbol);
-                    Text::atom(super::parameters::place(symbol))
+                    Text::atom(super::parameters::place(
+                        symbol,
+                        self.style.parameters.map(|(_, layout)| layout),
+                    ))
                 }
                 _ => {
                     let operands: Vec<Text> =

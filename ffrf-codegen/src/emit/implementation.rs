@@ -27,13 +27,13 @@ pub(super) fn imports(options: &GenerateOptions) -> [(String, String); 2] {
 pub(super) fn implementation(
     options: &GenerateOptions,
     mode_count: usize,
-    parameters: Option<&str>,
+    has_parameters: bool,
     extra_methods: &str,
 ) -> String {
     let size = 6 + mode_count;
     let scalar = options.scalar.name();
     let methods = |kinds: &[KernelKind]| {
-        let method = |kind: &KernelKind| method(*kind, mode_count, scalar, parameters.is_some());
+        let method = |kind: &KernelKind| method(*kind, mode_count, scalar, has_parameters);
         kinds.iter().map(method).collect::<Vec<String>>().join("\n")
     };
     let mut text = format!(

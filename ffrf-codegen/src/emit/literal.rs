@@ -3,7 +3,7 @@
 use crate::ScalarType;
 
 /// The literal of a finite number, with its sign.
-pub(super) fn literal(value: f64, scalar: ScalarType) -> String {
+pub(crate) fn literal(value: f64, scalar: ScalarType) -> String {
     match scalar {
         ScalarType::F64 => format!("{value:?}"),
         ScalarType::F32 => format!("{:?}", value as f32),

@@ -13,10 +13,14 @@ mod names;
 mod parameters;
 mod structure;
 
+pub(crate) use self::literal::literal;
+
 use ffrf_model::ReducedBody;
 
 use self::function::{FunctionStyle, function};
 use crate::GenerateOptions;
+use crate::lanes::{self, LaneTables};
+use crate::layout::Layout;
 use crate::report::Report;
 use crate::validate::ValidKernel;
 
@@ -24,6 +28,7 @@ use crate::validate::ValidKernel;
 pub(crate) fn baked_body(
     body: &ReducedBody,
     kernels: &[ValidKernel],
+    lanes: Option<&LaneTables>,
     report: &Report,
     options: &GenerateOptions,
 ) -> String {
@@ -32,7 +37,16 @@ pub(crate) fn baked_body(
     text.push('\n');
     text.push_str(&markers::inherent_constants(body, report, options));
     text.push('\n');
-    text.push_str(&kernels_block(kernels, options, None, &markers::trait_method(body, options)));
+    text.push_str(&kernels_block(kernels, lanes, options, None, &markers::trait_method(body, options)));
+    text
+}
+
+/// The whole text of a body whose invariants are supplied at run time.
+pub(crate) fn parameter_body(kernels: &[ValidKernel], report: &Report, options: &GenerateOptions) -> String {
+    let mut text = head(report, options);
+    text.push_str(&parameters::parameter_struct(report.mode_count, &report.layout, options));
+    text.push('\n');
+    text.push_str(&kernels_block(kernels, None, options, Some((&options.name, &report.layout)), ""));
     text
 }
 
@@ -49,13 +63,19 @@ fn head(report: &Report, options: &GenerateOptions) -> String {
 /// Functions and trait implementation in a scope of their own, so that no name can clash.
 fn kernels_block(
     kernels: &[ValidKernel],
+    lanes: Option<&LaneTables>,
     options: &GenerateOptions,
-    parameters: Option<&str>,
+    parameters: Option<(&str, &Layout)>,
     extra_methods: &str,
 ) -> String {
     let style = FunctionStyle { scalar: options.scalar, parameters };
     let functions: Vec<String> = kernels.iter().map(|kernel| function(kernel, style, "    ")).collect();
-    let functions = functions.join("\n");
+    let mut functions = functions.join("\n");
+    if let Some(lanes) = lanes {
+        functions.push('\n');
+        functions
+            .push_str(&lanes::functions(lanes, options.scalar, |kind| documentation::of(kind, lanes.modes)));
+    }
     let mode_count = kernels.first().map_or(0, |kernel| kernel.kernel().mode_count);
     let mut text = String::from(ALLOWED);
     text.push_str("const _: () = {\n");
@@ -68,7 +88,7 @@ fn kernels_block(
     text.push('\n');
     text.push_str(&functions);
     text.push('\n');
-    text.push_str(&implementation::implementation(options, mode_count, parameters, extra_methods));
+    text.push_str(&implementation::implementation(options, mode_count, parameters.is_some(), extra_methods));
     text.push_str("};\n");
     text
 }

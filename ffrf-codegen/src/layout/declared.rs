@@ -89,6 +89,11 @@ impl Layout {
         true
     }
 
+    /// Whether Θ_ff is data of its own: T_μν is declared so that its trace cannot supply it.
+    pub fn has_own_modal_mass(&self) -> bool {
+        self.modal_mass != Identity && matches!(self.mode_mode_moment, Zero | Antisymmetric)
+    }
+
     /// Checks that each invariant has a structure that it can have.
     ///
     /// Errors: [`CodegenError::Structure`], the first in the order of the fields.

@@ -1,0 +1,171 @@
+//! The values of single fields: what each may be, and what is said if it is something else.
+
+use ffrf_codegen::layout::{Layout, Structure};
+use ffrf_codegen::{Fidelity, FusedMultiplyAdd, ScalarType};
+use proc_macro2::Span;
+use syn::parse::{Parse, ParseStream, Parser};
+use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token};
+
+use crate::parse::Field;
+
+/// Mistakes so far, combined.
+#[derive(Default)]
+pub(crate) struct Mistakes(pub(crate) Option<syn::Error>);
+
+impl Mistakes {
+    pub(crate) fn push(&mut self, error: syn::Error) {
+        match &mut self.0 {
+            Some(first) => first.combine(error),
+            None => self.0 = Some(error),
+        }
+    }
+
+    pub(crate) fn add(&mut self, span: Span, message: String) {
+        self.push(syn::Error::new(span, message));
+    }
+
+    pub(crate) fn keep<T>(&mut self, result: syn::Result<T>) -> Option<T> {
+        result.map_err(|error| self.push(error)).ok()
+    }
+
+    pub(crate) fn verdict<T>(self, value: T) -> syn::Result<T> {
+        self.0.map_or(Ok(value), Err)
+    }
+}
+
+/// Parses the whole value of a field; on failure says what was expected.
+fn value_of<T>(
+    field: &Field,
+    expected: &str,
+    parser: impl FnOnce(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<T> {
+    parser.parse2(field.value.clone()).map_err(|_| {
+        let found = field.value.to_string();
+        let found = if found.is_empty() { "nothing".to_owned() } else { format!("`{found}`") };
+        syn::Error::new(field.span, format!("`{}` must be {expected}, found {found}", field.key))
+    })
+}
+
+/// One word out of a list.
+fn word<T: Copy>(field: &Field, expected: &str, words: &[(&str, T)]) -> syn::Result<T> {
+    value_of(field, expected, |input: ParseStream<'_>| {
+        let word: Ident = input.parse()?;
+        let known = words.iter().find(|(name, _)| word == name);
+        known.map(|(_, value)| *value).ok_or_else(|| syn::Error::new(word.span(), "unknown"))
+    })
+}
+
+pub(crate) fn model(field: &Field) -> syn::Result<LitStr> {
+    value_of(field, "a path in quotes", <LitStr as Parse>::parse)
+}
+
+pub(crate) fn scalar(field: &Field) -> syn::Result<ScalarType> {
+    word(field, "f64 or f32", &[("f64", ScalarType::F64), ("f32", ScalarType::F32)])
+}
+
+pub(crate) fn fused_multiply_add(field: &Field) -> syn::Result<FusedMultiplyAdd> {
+    use FusedMultiplyAdd::{Auto, Off, On};
+    word(field, "auto, on or off", &[("auto", Auto), ("on", On), ("off", Off)])
+}
+
+pub(crate) fn jacobians(field: &Field) -> syn::Result<bool> {
+    value_of(field, "true or false", <LitBool as Parse>::parse).map(|wanted| wanted.value)
+}
+
+/// `..8` with a model.
+pub(crate) fn first_modes(field: &Field) -> syn::Result<usize> {
+    value_of(field, "`..8` to use the first 8 modes of the model", |input: ParseStream<'_>| {
+        input.parse::<Token![..]>()?;
+        input.parse::<LitInt>()?.base10_parse()
+    })
+}
+
+/// `8` without one.
+pub(crate) fn mode_count(field: &Field) -> syn::Result<usize> {
+    value_of(field, "the number of modes, like `8`", |input: ParseStream<'_>| {
+        input.parse::<LitInt>()?.base10_parse()
+    })
+}
+
+pub(crate) fn tolerance(field: &Field) -> syn::Result<f64> {
+    value_of(field, "a relative tolerance from 0 to below 1, like 1e-13", |input: ParseStream<'_>| {
+        let tolerance: f64 = if input.peek(LitInt) {
+            input.parse::<LitInt>()?.base10_parse()?
+        } else {
+            input.parse::<LitFloat>()?.base10_parse()?
+        };
+        if (0.0..1.0).contains(&tolerance) { Ok(tolerance) } else { Err(input.error("out of range")) }
+    })
+}
+
+/// `full`, or `[translation, rotation, ...]`
+pub(crate) fn fidelity(field: &Field) -> syn::Result<Fidelity> {
+    let (level, terms) =
+        value_of(field, "a level (full) or a list of energy terms", |input: ParseStream<'_>| {
+            if !input.peek(syn::token::Bracket) {
+                return input.parse::<Ident>().map(|level| (Some(level), Vec::new()));
+            }
+            let content;
+            syn::bracketed!(content in input);
+            let terms = content.parse_terminated(Ident::parse, Token![,])?;
+            Ok((None, terms.into_iter().collect::<Vec<_>>()))
+        })?;
+    if let Some(level) = level {
+        return Fidelity::from_name(&level.to_string())
+            .map_err(|error| syn::Error::new(level.span(), error.to_string()));
+    }
+    let mut mistakes = Mistakes::default();
+    let names: Vec<String> = terms.iter().map(Ident::to_string).collect();
+    for (term, name) in terms.iter().zip(&names) {
+        let known = Fidelity::from_term_names([name.as_str()]);
+        mistakes.keep(known.map_err(|error| syn::Error::new(term.span(), error.to_string())));
+    }
+    mistakes.verdict(())?;
+    Fidelity::from_term_names(names.iter().map(String::as_str))
+        .map_err(|error| syn::Error::new(field.span, error.to_string()))
+}
+
+/// `{ first_moment: zero, ... }`; what is not named is as general as it can be.
+pub(crate) fn layout(field: &Field) -> syn::Result<Layout> {
+    let entries = value_of(
+        field,
+        "a list of invariants with their structures, like `{ first_moment: zero }`",
+        |input: ParseStream<'_>| {
+            let content;
+            syn::braced!(content in input);
+            let entries = content.parse_terminated(Field::parse, Token![,])?;
+            Ok(entries.into_iter().collect::<Vec<_>>())
+        },
+    )?;
+    let mut layout = Layout::GENERAL;
+    let mut mistakes = Mistakes::default();
+    let mut seen: Vec<&Ident> = Vec::new();
+    for entry in &entries {
+        let key = entry.key.to_string();
+        if seen.contains(&&entry.key) {
+            mistakes.add(entry.key.span(), format!("`{key}` is given twice"));
+            continue;
+        }
+        seen.push(&entry.key);
+        let words = Structure::ALL.map(|structure| (structure.name(), structure));
+        let names = Structure::ALL.map(Structure::name).join(", ");
+        let Some(structure) = mistakes.keep(word(entry, &format!("one of: {names}"), &words)) else {
+            continue;
+        };
+        let mut changed = layout;
+        if key == "mass" {
+            if structure != Structure::Dense {
+                mistakes.add(entry.span, format!("mass cannot be {structure}, expected one of: dense"));
+            }
+        } else if !changed.set(&key, structure) {
+            let known: Vec<_> = layout.entries().into_iter().map(|(name, ..)| name).collect();
+            let message = format!("unknown invariant `{key}`, expected one of: mass, {}", known.join(", "));
+            mistakes.add(entry.key.span(), message);
+        } else if let Err(error) = changed.check() {
+            mistakes.add(entry.span, error.to_string());
+        } else {
+            layout = changed;
+        }
+    }
+    mistakes.verdict(layout)
+}
