@@ -45,6 +45,34 @@ impl FusedMultiplyAdd {
     }
 }
 
+/// How the kernels with a product over all pairs of modes are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Strategy {
+    /// Straight-line code for few modes, lanes for many; the change-over is measured.
+    #[default]
+    Auto,
+    /// Statements only, whatever their number.
+    StraightLine,
+    /// Loops over lanes of modes with constant tables; an error where that is impossible.
+    Lanes,
+}
+
+impl Strategy {
+    /// The name by which the macro and the command line know the choice.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::StraightLine => "straight_line",
+            Self::Lanes => "lanes",
+        }
+    }
+
+    /// The choice of that name, if there is one.
+    pub fn from_name(name: &str) -> Option<Self> {
+        [Self::Auto, Self::StraightLine, Self::Lanes].into_iter().find(|strategy| strategy.name() == name)
+    }
+}
+
 /// Everything that a generated body depends on, besides its model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GenerateOptions {
@@ -66,13 +94,22 @@ pub struct GenerateOptions {
     pub jacobians: bool,
     /// Contraction of products and sums.
     pub fused_multiply_add: FusedMultiplyAdd,
+    /// Straight-line code or lanes.
+    pub strategy: Strategy,
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
     pub layout_tolerance: f64,
 }
 
-/// Default of [`GenerateOptions::layout_tolerance`]: round-off of sums over some thousand nodes stays below it,
-/// and zeroing what is smaller changes no kernel by more than the accuracy that the reference cases ask for (1e-12).
-pub const DEFAULT_LAYOUT_TOLERANCE: f64 = 1e-13;
+/// Default of [`GenerateOptions::layout_tolerance`].
+///
+/// Small enough that a number which a user's mode shapes really have is kept: of a deformed free-free body the
+/// coupling Θ_rf can be a hundred-thousandth of its Gram scale, and must still be right to 1e-12 of itself.
+/// What is zero by construction (b and ϑ of computed free-free modes) the reduction writes as zero.
+pub const DEFAULT_LAYOUT_TOLERANCE: f64 = 1e-15;
+
+/// Least tolerance for the orthogonality of modes: Θ_ff, K_ff and D_ff count as identity or diagonal up to this
+/// deviation, relative to their own diagonal, against which their accuracy is measured.
+pub const ORTHOGONALITY_TOLERANCE: f64 = 1e-13;
 
 impl Default for GenerateOptions {
     fn default() -> Self {
@@ -86,6 +123,7 @@ impl Default for GenerateOptions {
             fidelity: Fidelity::default(),
             jacobians: false,
             fused_multiply_add: FusedMultiplyAdd::default(),
+            strategy: Strategy::default(),
             layout_tolerance: DEFAULT_LAYOUT_TOLERANCE,
         }
     }

@@ -5,6 +5,7 @@ use ffrf_model::{Matrix3, ReducedBody};
 use super::{BodyExpressions, MomentComponents};
 use crate::expression::{Expression, Graph, Symmetric3};
 use crate::layout::{GramScales, Structure, found};
+use crate::options::ORTHOGONALITY_TOLERANCE;
 
 impl BodyExpressions {
     /// The invariants of `body` as constants; entries below `tolerance` times their Gram scale are zero.
@@ -109,7 +110,9 @@ impl Rounding<'_> {
                 modes()
                     .map(|nu| {
                         let value = 0.5 * matrix[mu][nu] + 0.5 * matrix[nu][mu];
-                        self.at(value, scales[mu] * scales[nu])
+                        let negligible =
+                            self.tolerance.max(ORTHOGONALITY_TOLERANCE) * scales[mu] * scales[nu];
+                        self.graph.constant(if value.abs() <= negligible { 0.0 } else { value })
                     })
                     .collect()
             })

@@ -6,6 +6,7 @@
 use ffrf_model::{Matrix3, ReducedBody};
 
 use super::{Layout, Structure};
+use crate::options::ORTHOGONALITY_TOLERANCE;
 
 /// Norms, in the mass inner product, of the fields that the invariants are products of.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,7 +58,7 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
         Structure::of_matrix(
             count,
             |mu, nu| matrix[mu][nu],
-            |mu, nu, value| small(value, scale[mu] * scale[nu]),
+            |mu, nu, value| value.abs() <= tolerance.max(ORTHOGONALITY_TOLERANCE) * scale[mu] * scale[nu],
         )
     };
     let join = |structures: &mut dyn Iterator<Item = Structure>| {

@@ -4,6 +4,7 @@ mod damping;
 mod error;
 mod invariants;
 mod marker;
+mod mean_axis;
 mod options;
 mod reduce;
 mod stiffness;

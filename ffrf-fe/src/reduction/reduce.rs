@@ -9,7 +9,7 @@ use super::damping::modal_damping;
 use super::invariants::inertia_of;
 use super::marker::make_marker;
 use super::stiffness::modal_stiffness;
-use super::{ReductionError, ReductionOptions};
+use super::{ReductionError, ReductionOptions, mean_axis};
 
 /// Reduces a finite-element model to the modes of a basis.
 ///
@@ -30,7 +30,8 @@ pub fn reduce(
     if shapes.ncols() != basis.modes.len() {
         return Err(ReductionError::ModeCount { shapes: shapes.ncols(), modes: basis.modes.len() }.into());
     }
-    let inertia = inertia_of(model, shapes);
+    let mut inertia = inertia_of(model, shapes);
+    mean_axis::clear(&mut inertia, &basis.modes);
     let stiffness = modal_stiffness(model, shapes, options.modal_stiffness.as_ref())?;
     let damping = modal_damping(&options.damping, modal_mass(&inertia).as_ref(), stiffness.as_ref())?;
     let markers = options
