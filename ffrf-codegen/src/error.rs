@@ -31,6 +31,12 @@ pub enum CodegenError {
         /// The name given.
         found: String,
     },
+    /// Lanes were demanded where they cannot be had.
+    #[error("strategy lanes: {reason}")]
+    NoLanes {
+        /// What stands in the way.
+        reason: &'static str,
+    },
     /// The mass left after eliminating the modes is not positive: the modes contain rigid-body motion.
     #[error(
         "the modes are not independent of rigid-body motion: pivot {pivot} of the reduced mass is {found:e}, expected > 0"

@@ -20,6 +20,14 @@ impl ScalarType {
             Self::F32 => "f32",
         }
     }
+
+    /// Whether a number is finite in this type.
+    pub fn is_finite(self, value: f64) -> bool {
+        match self {
+            Self::F64 => value.is_finite(),
+            Self::F32 => (value as f32).is_finite(),
+        }
+    }
 }
 
 /// Whether products and sums are contracted, which rounds once instead of twice.

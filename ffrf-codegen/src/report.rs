@@ -14,7 +14,9 @@ pub struct Report {
     pub source: Option<Source>,
     /// The layout found or declared.
     pub layout: Layout,
-    /// Cost of each kernel, in the order in which they are printed.
+    /// How the modes stand in lanes, if the kernels with a product over all pairs of modes are loops.
+    pub lanes: Option<String>,
+    /// Cost of each kernel that is printed as statements, in the order in which they are printed.
     pub kernels: Vec<KernelReport>,
 }
 

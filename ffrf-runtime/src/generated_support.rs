@@ -2,6 +2,8 @@
 //!
 //! Everything here is a few instructions long, always inlined, and free of allocation and panics.
 
+pub use crate::lanes;
+
 use nalgebra::{ArrayStorage, ComplexField, SMatrix, SVector};
 
 /// a b + c, fused where the target does that in hardware, otherwise a product and a sum.

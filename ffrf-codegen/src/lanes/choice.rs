@@ -1,0 +1,39 @@
+//! Which strategy a body gets.
+
+use super::LaneTables;
+use crate::body::BodyExpressions;
+use crate::expression::Graph;
+use crate::layout::Structure;
+use crate::options::Strategy;
+use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
+
+/// From this number of modes on, lanes are chosen. Measured, see docs/benchmarks.
+const LANES_FROM: usize = 5;
+
+/// The tables if the body is to be computed in lanes, `None` for straight-line code.
+///
+/// Lanes need a diagonal Θ_ff, at least one mode, and leave the contraction of products and sums to the target.
+/// Errors: lanes were demanded where they cannot be had, or the modes contain rigid-body motion.
+pub(crate) fn choose(
+    graph: &Graph,
+    body: &BodyExpressions,
+    options: &GenerateOptions,
+) -> Result<Option<LaneTables>, CodegenError> {
+    let diagonal = matches!(body.modal_mass_structure, Structure::Identity | Structure::Diagonal);
+    let obstacle = if body.mode_count() == 0 {
+        Some("a body without modes has no lanes")
+    } else if !diagonal {
+        Some("they need a diagonal modal mass, found a dense one")
+    } else if options.fused_multiply_add != FusedMultiplyAdd::Auto {
+        Some("they contract products and sums where the target does (fma: auto)")
+    } else {
+        None
+    };
+    match (options.strategy, obstacle) {
+        (Strategy::StraightLine, _) => Ok(None),
+        (Strategy::Lanes, Some(reason)) => Err(CodegenError::NoLanes { reason }),
+        (Strategy::Auto, None) if body.mode_count() < LANES_FROM => Ok(None),
+        (Strategy::Auto, Some(_)) => Ok(None),
+        (_, None) => LaneTables::new(graph, body, options.scalar).map(Some),
+    }
+}

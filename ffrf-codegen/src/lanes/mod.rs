@@ -1,0 +1,13 @@
+//! The strategy for many modes: constant tables for the loops of `ffrf_runtime::lanes` instead of statements.
+//!
+//! ```text
+//! BodyExpressions (constants) --choose--> LaneTables --text--> static items and one-line functions
+//! ```
+
+mod choice;
+mod tables;
+mod text;
+
+pub(crate) use choice::choose;
+pub(crate) use tables::LaneTables;
+pub(crate) use text::{IN_LANES, functions};
