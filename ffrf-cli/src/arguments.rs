@@ -1,0 +1,298 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{ArgGroup, Args, Parser, Subcommand};
+
+/// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify.
+#[derive(Debug, Parser)]
+#[command(name = "ffrf", version, max_term_width = 100, arg_required_else_help = true)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The subcommands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Reduce a finite-element model to a flexible body (*.ffrf.json).
+    #[command(after_help = REDUCE_EXAMPLE)]
+    Reduce(Reduce),
+    /// Show what a reduced body holds: modes, checks, layout, operation counts.
+    #[command(after_help = INSPECT_EXAMPLE)]
+    Inspect(Inspect),
+    /// Print the Rust code that the macro makes of a reduced body.
+    #[command(after_help = GENERATE_EXAMPLE)]
+    Generate(Generate),
+    /// Evaluate the kernels of a reduced body at given states.
+    #[command(after_help = EVALUATE_EXAMPLE)]
+    Evaluate(Evaluate),
+    /// Check the kernels of a reduced body against the finite-element model, node by node.
+    #[command(after_help = VERIFY_EXAMPLE)]
+    Verify(Verify),
+}
+
+const REDUCE_EXAMPLE: &str = "\
+Examples:
+  ffrf reduce --abaqus rod.inp --mass rod_MASS1.mtx --stiffness rod_STIF1.mtx --modes 8 \\
+       --marker big_end=17 --damping-ratio 0.01 -o rod.ffrf.json
+  ffrf reduce --calculix rod.inp --modes 6 --clamp FIXED -o rod.ffrf.json
+  ffrf reduce --nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt -o body.ffrf.json";
+
+const INSPECT_EXAMPLE: &str = "\
+Example:
+  ffrf inspect rod.ffrf.json";
+
+const GENERATE_EXAMPLE: &str = "\
+Example:
+  ffrf generate rod.ffrf.json --name Rod --modes 4 -o rod.rs";
+
+const EVALUATE_EXAMPLE: &str = "\
+Example:
+  echo '{\"states\":[{\"q\":[0,0],\"omega\":[0,0,1],\"q_dot\":[0,0],\"force\":[0,0,0,0,0,0,0,0]}]}' > states.json
+  ffrf evaluate body.ffrf.json states.json -o out.json
+
+All vectors are resolved in the body frame; force has 6 + M entries (force, moment, modal forces).
+\"velocity\" (3 entries, that of the frame origin) is optional and enters the kinetic energy only.";
+
+const VERIFY_EXAMPLE: &str = "\
+Example:
+  ffrf verify --nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt body.ffrf.json
+
+Give the files and the mode choice that `ffrf reduce` was given.";
+
+/// The files of a finite-element model.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Finite-element model")]
+#[command(group = ArgGroup::new("node_table").required(true).args(["nodes", "abaqus", "calculix", "ansys"]))]
+pub struct FeFiles {
+    /// Node table, one line `x y z` per node (text or NumPy); nodes are numbered from 0.
+    #[arg(long, value_name = "X.txt")]
+    pub nodes: Option<PathBuf>,
+    /// Abaqus input deck with the nodes; matrices from *MATRIX GENERATE.
+    #[arg(long, value_name = "PART.inp")]
+    pub abaqus: Option<PathBuf>,
+    /// CalculiX input deck with the nodes; PART.mas, PART.sti and PART.dof are looked for beside it.
+    #[arg(long, value_name = "PART.inp")]
+    pub calculix: Option<PathBuf>,
+    /// ANSYS node table `id x y z`; matrices from *SMAT or *DMAT in Matrix Market form.
+    #[arg(long, value_name = "NODES.txt")]
+    pub ansys: Option<PathBuf>,
+    /// Mass matrix, 3N x 3N or scalar N x N.
+    #[arg(long, value_name = "M.mtx")]
+    pub mass: Option<PathBuf>,
+    /// Stiffness matrix, 3N x 3N.
+    #[arg(long, value_name = "K.mtx")]
+    pub stiffness: Option<PathBuf>,
+    /// ANSYS node-to-dof mapping vector.
+    #[arg(long, value_name = "MAPPING.txt", conflicts_with_all = ["nodes", "abaqus", "calculix"])]
+    pub mapping: Option<PathBuf>,
+}
+
+/// Which modes.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Modes")]
+pub struct ModeChoice {
+    /// Your own mode shapes, 3N rows and M columns (text, Matrix Market or NumPy).
+    #[arg(long, value_name = "Psi.txt", conflicts_with_all = ["modes", "clamp"])]
+    pub mode_shapes: Option<PathBuf>,
+    /// Number of elastic eigenmodes to compute.
+    #[arg(long, value_name = "N")]
+    pub modes: Option<usize>,
+    /// Hold these nodes while computing the modes: a node set of the deck, or node ids separated by commas.
+    #[arg(long, value_name = "SET")]
+    pub clamp: Option<String>,
+}
+
+/// `ffrf reduce`
+#[derive(Debug, Args)]
+#[command(group = ArgGroup::new("mode_choice").required(true).args(["mode_shapes", "modes"]))]
+pub struct Reduce {
+    #[command(flatten)]
+    pub files: FeFiles,
+    #[command(flatten)]
+    pub choice: ModeChoice,
+    /// Modal stiffness matrix K_ff, M x M, in place of the projected stiffness (text, Matrix Market or NumPy).
+    #[arg(long, value_name = "K_ff", help_heading = "Modes")]
+    pub modal_stiffness: Option<PathBuf>,
+    /// Damping ratio of all modes, or one per mode separated by commas.
+    #[arg(
+        long,
+        value_name = "ZETA",
+        value_delimiter = ',',
+        allow_negative_numbers = true,
+        conflicts_with = "rayleigh"
+    )]
+    pub damping_ratio: Option<Vec<f64>>,
+    /// Rayleigh damping D = ALPHA M + BETA K.
+    #[arg(long, value_name = "ALPHA,BETA", allow_hyphen_values = true, value_parser = parse_pair)]
+    pub rayleigh: Option<(f64, f64)>,
+    /// A point to load and to observe: a node id (row number from 0 with --nodes), several separated by
+    /// commas, or a node set of the deck. Repeatable.
+    #[arg(long = "marker", value_name = "NAME=NODE", value_parser = parse_marker)]
+    pub markers: Vec<MarkerArgument>,
+    /// A line for people (default: name of the node file).
+    #[arg(long)]
+    pub title: Option<String>,
+    /// Which units the files are in; a note, never interpreted.
+    #[arg(long, default_value = "SI: m, kg, s, N")]
+    pub units: String,
+    /// Where to write the reduced body.
+    #[arg(short, long, value_name = "BODY.ffrf.json")]
+    pub output: PathBuf,
+}
+
+/// `ffrf inspect`
+#[derive(Debug, Args)]
+pub struct Inspect {
+    /// The reduced body.
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    /// Use the first N modes only.
+    #[arg(long, value_name = "N")]
+    pub modes: Option<usize>,
+}
+
+/// `ffrf generate`
+#[derive(Debug, Args)]
+pub struct Generate {
+    /// The reduced body.
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    /// Name of the generated type.
+    #[arg(long, default_value = "Body")]
+    pub name: String,
+    /// Use the first N modes only.
+    #[arg(long, value_name = "N")]
+    pub modes: Option<usize>,
+    /// Where to write the code (default: standard output).
+    #[arg(short, long, value_name = "OUT.rs")]
+    pub output: Option<PathBuf>,
+}
+
+/// `ffrf evaluate`
+#[derive(Debug, Args)]
+pub struct Evaluate {
+    /// The reduced body.
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    /// The states, as JSON.
+    #[arg(value_name = "STATES")]
+    pub states: PathBuf,
+    /// Where to write the results (default: standard output).
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+}
+
+/// `ffrf verify`
+#[derive(Debug, Args)]
+pub struct Verify {
+    /// The reduced body to check.
+    #[arg(value_name = "MODEL")]
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub files: FeFiles,
+    #[command(flatten)]
+    pub choice: ModeChoice,
+    /// Number of random states.
+    #[arg(long, value_name = "COUNT", default_value_t = 8)]
+    pub states: usize,
+    /// Seed of the random states.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Largest deviation that passes, relative to the scale of each quantity.
+    #[arg(long, default_value_t = 1e-12)]
+    pub tolerance: f64,
+}
+
+/// `NAME=NODE`
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MarkerArgument {
+    /// What stands before `=`.
+    pub name: String,
+    /// What stands after it.
+    pub nodes: String,
+}
+
+fn parse_marker(text: &str) -> Result<MarkerArgument, String> {
+    let (name, nodes) = text.split_once('=').ok_or("expected NAME=NODE")?;
+    if !ffrf_model::is_valid_marker_name(name) {
+        return Err(format!("`{name}` is no marker name: letters, digits and underscores, a letter first"));
+    }
+    if nodes.is_empty() {
+        return Err("expected a node after `=`".to_owned());
+    }
+    Ok(MarkerArgument { name: name.to_owned(), nodes: nodes.to_owned() })
+}
+
+fn parse_pair(text: &str) -> Result<(f64, f64), String> {
+    let number = |part: &str| part.trim().parse::<f64>().map_err(|error| format!("`{part}`: {error}"));
+    let (alpha, beta) = text.split_once(',').ok_or("expected two numbers, ALPHA,BETA")?;
+    Ok((number(alpha)?, number(beta)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{CommandFactory, Parser};
+
+    use super::{Arguments, Command};
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+
+    fn reduce(rest: &str) -> Result<super::Reduce, clap::Error> {
+        let words = format!("ffrf reduce {rest}");
+        match Arguments::try_parse_from(words.split(' '))?.command {
+            Command::Reduce(reduce) => Ok(reduce),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn the_fixed_forms_are_understood() {
+        let fixed = [
+            "--nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt -o body.ffrf.json",
+            "--nodes X.txt --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
+            "--nodes X.txt --mass M.mtx --stiffness K.mtx --modes 8 --clamp SET -o body.ffrf.json",
+            "--abaqus part.inp --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
+            "--calculix part.inp --modes 8 -o body.ffrf.json",
+            "--ansys nodes.txt --mapping map.txt --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
+            "--nodes X.txt --mass M.mtx --modal-stiffness K_ff --mode-shapes Psi.txt -o body.ffrf.json",
+        ];
+        for form in fixed {
+            reduce(form).unwrap_or_else(|error| panic!("{form}: {error}"));
+        }
+        let marked =
+            reduce("--nodes X --mass M --modes 1 -o b --marker tip=4 --marker root=0 --title T").unwrap();
+        assert_eq!(marked.markers.len(), 2);
+        assert_eq!((marked.markers[1].name.as_str(), marked.markers[1].nodes.as_str()), ("root", "0"));
+        assert_eq!(marked.title.as_deref(), Some("T"));
+        let damped = reduce("--nodes X --mass M --modes 1 -o b --rayleigh 0.5,1e-5").unwrap();
+        assert_eq!(damped.rayleigh, Some((0.5, 1e-5)));
+        let damped = reduce("--nodes X --mass M --modes 1 -o b --damping-ratio 0.01,0.02").unwrap();
+        assert_eq!(damped.damping_ratio, Some(vec![0.01, 0.02]));
+    }
+
+    #[test]
+    fn contradictions_are_refused() {
+        let refused = [
+            "--mass M --modes 1 -o b",
+            "--nodes X --abaqus p.inp --mass M --modes 1 -o b",
+            "--nodes X --mass M -o b",
+            "--nodes X --mass M --modes 1",
+            "--nodes X --mass M --modes 1 --mode-shapes P -o b",
+            "--nodes X --mass M --clamp 1 --mode-shapes P -o b",
+            "--nodes X --mass M --modes 1 -o b --rayleigh 1",
+            "--nodes X --mass M --modes 1 -o b --rayleigh 1,1 --damping-ratio 0.1",
+            "--nodes X --mass M --modes 1 -o b --marker tip",
+            "--nodes X --mass M --modes 1 -o b --marker 1=1",
+            "--nodes X --mass M --modes 1 -o b --mapping map.txt",
+        ];
+        for form in refused {
+            assert_eq!(reduce(form).unwrap_err().exit_code(), 2, "{form}");
+        }
+    }
+}
