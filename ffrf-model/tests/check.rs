@@ -71,6 +71,19 @@ fn impossible_inertia_is_seen() {
 }
 
 #[test]
+fn round_off_in_a_direction_without_motion_is_no_fault() {
+    let mut points = sample::points(2);
+    for point in &mut points {
+        point.shapes[1][2] *= 1e-17;
+    }
+    let mut body = sample::body(2);
+    body.inertia = sample::inertia(&points);
+    // As large as round-off of the mode's other components, and far larger than its own.
+    body.inertia.position_mode_moment[1][0][2] = 1e-16;
+    report(&body).verdict().unwrap();
+}
+
+#[test]
 fn a_mode_that_is_a_rigid_motion_is_seen() {
     let mut points = sample::points(2);
     for point in &mut points {
