@@ -112,13 +112,13 @@ pub fn fly(duration: f64) -> Result<Record, Box<dyn Error>> {
         if record.steps <= fine_steps {
             record.fine.push(sample);
         }
-        if record.steps % COARSE == 0 {
+        if record.steps.is_multiple_of(COARSE) {
             record.coarse.push(sample);
             if record.steps <= frame_steps {
                 record.frames.push(sample);
             }
         }
-        if record.steps % second == 0 {
+        if record.steps.is_multiple_of(second) {
             println!("  {:>4.0} s simulated in {:.1} s", body.time, record.stepping.as_secs_f64());
         }
     }
