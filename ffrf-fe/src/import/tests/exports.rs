@@ -104,3 +104,26 @@ fn ansys_export_is_in_the_order_of_its_matrices() {
         assert!(force < 1e-9, "axis {axis}: {force:e}");
     }
 }
+
+/// The project's own part: figures as its README gives them.
+#[test]
+fn the_connecting_rod_is_read_compressed() {
+    let deck = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/conrod/conrod.inp"));
+    if !deck.exists() {
+        eprintln!("SKIPPED: {} is missing", deck.display());
+        return;
+    }
+    let files = ModelFiles { nodes: NodeSource::Calculix(deck.to_path_buf()), mass: None, stiffness: None };
+    let model = read_model(&files).unwrap();
+    assert_eq!((model.nodes.len(), model.elements.len()), (1232, 157));
+    assert!(model.fixed_dofs.is_empty());
+    let total: f64 = model.mass.val().iter().sum();
+    assert!((total - 0.604996).abs() < 1e-6, "{total}");
+    // CalculiX prints 14 digits.
+    assert!(model.mass_anisotropy < 1e-13, "{:e}", model.mass_anisotropy);
+    let files: Vec<_> = model.sources.iter().map(|source| source.file.as_str()).collect();
+    assert_eq!(files, ["conrod.inp", "conrod.dof", "conrod.mas.gz", "conrod.sti.gz"]);
+    for set in ["BIG_END", "SMALL_END"] {
+        assert!(!model.nodes.sets[set].is_empty());
+    }
+}
