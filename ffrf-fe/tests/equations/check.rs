@@ -1,6 +1,10 @@
 //! Comparison of matrices, and the only tolerances of the equation tests.
 
+use std::cell::Cell;
+
 use faer::Mat;
+
+use crate::bodies::Kind;
 
 /// Identities hold to round-off of sums over a few hundred nodes.
 pub const IDENTITY: f64 = 1e-13;
@@ -8,14 +12,37 @@ pub const IDENTITY: f64 = 1e-13;
 /// A misprint must show at least this much, or the test could not see it.
 pub const VISIBLE: f64 = 1e-2;
 
+/// Natural size of a quantity of a body in natural units, below which it counts as vanishing by symmetry.
+const NATURAL: f64 = 0.1;
+
+thread_local! {
+    static KIND: Cell<Kind> = const { Cell::new(Kind::Unsymmetric) };
+}
+
+/// Sets how the following comparisons of this thread are judged.
+pub fn judge_for(kind: Kind) {
+    KIND.set(kind);
+}
+
+/// True if every misprint must show on the body under test.
+pub fn misprints_show() -> bool {
+    KIND.get() == Kind::Unsymmetric
+}
+
+/// Least scale of a comparison: 0 where nothing may vanish by symmetry.
+pub fn smallest_scale() -> f64 {
+    if misprints_show() { 0.0 } else { NATURAL }
+}
+
 pub fn largest(matrix: &Mat<f64>) -> f64 {
     matrix.norm_max()
 }
 
-/// max|a - b| relative to the larger of the two; 0 for two zero matrices.
+/// max|a - b| relative to the larger of the two, or to the natural size 1 of quantities that may vanish by
+/// symmetry; 0 for two zero matrices.
 pub fn deviation(a: &Mat<f64>, b: &Mat<f64>) -> f64 {
     assert_eq!((a.nrows(), a.ncols()), (b.nrows(), b.ncols()), "shapes differ");
-    let scale = largest(a).max(largest(b));
+    let scale = largest(a).max(largest(b)).max(smallest_scale());
     if scale == 0.0 { 0.0 } else { largest(&(a - b)) / scale }
 }
 
@@ -27,6 +54,9 @@ pub fn equal(a: &Mat<f64>, b: &Mat<f64>) {
 
 #[track_caller]
 pub fn different(a: &Mat<f64>, b: &Mat<f64>) {
+    if !misprints_show() {
+        return;
+    }
     let off = deviation(a, b);
     assert!(off >= VISIBLE, "the printed form is off by only {off:e}, expected at least {VISIBLE:e}");
 }
@@ -37,6 +67,12 @@ pub fn vanishes(value: &Mat<f64>, scale: f64) {
     assert!(scale > 0.0);
     let off = largest(value) / scale;
     assert!(off <= IDENTITY, "{off:e} of the scale, at most {IDENTITY:e}");
+}
+
+/// Asserts equality relative to a scale given by the terms of a sum that cancels.
+#[track_caller]
+pub fn equal_within(a: &Mat<f64>, b: &Mat<f64>, scale: f64) {
+    vanishes(&(a - b), scale);
 }
 
 pub fn column(values: &[f64]) -> Mat<f64> {

@@ -5,7 +5,9 @@ use ffrf_fe::formulations::null_space::{projection, projection_rate};
 use ffrf_fe::formulations::rotation::{cross, dot, skew};
 
 use crate::bodies::{Body, Part, State, each_state};
-use crate::check::{as_vector, block, column, different, equal, scaled, sum, transposed, vanishes};
+use crate::check::{
+    as_vector, block, column, different, equal, scaled, smallest_scale, sum, transposed, vanishes,
+};
 use crate::nodal;
 use crate::s7_inertia::{inertia_of, inertia_printed, inertia_vector};
 use crate::s7_projection::{
@@ -223,7 +225,8 @@ fn equations_181_182_centrifugal_modal_force() {
                 * &state.omega;
             let theta = state.rotate(&inertia_of(&body.t_mu(mu)));
             // A sum that may cancel: compared against the size of its terms.
-            let scale = theta.norm_max() * dot(as_vector(&state.omega), as_vector(&state.omega));
+            let scale = theta.norm_max().max(smallest_scale())
+                * dot(as_vector(&state.omega), as_vector(&state.omega));
             vanishes(&(single + state.omega.transpose() * theta.transpose() * &state.omega), scale);
         }
     });
