@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use anyhow::{Context, Result};
-use ffrf_codegen::GenerateOptions;
+use ffrf_codegen::{GenerateOptions, Strategy};
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Generate;
@@ -34,6 +34,16 @@ pub fn account(body: &ReducedBody) -> Result<String> {
     text.push_str("\noperations per call\n");
     for kernel in &report.kernels {
         let _ = writeln!(text, "  {:<28}{}", kernel.name, kernel.counts);
+    }
+    if let Some(lanes) = &report.lanes {
+        let _ =
+            writeln!(text, "\noperations per call of the kernels in loops ({lanes}), counted as statements");
+        let statements = GenerateOptions { strategy: Strategy::StraightLine, ..GenerateOptions::default() };
+        let all = ffrf_codegen::generate(body, &statements)?.report.kernels;
+        let printed = |name: &str| report.kernels.iter().any(|kernel| kernel.name == name);
+        for kernel in all.iter().filter(|kernel| !printed(kernel.name)) {
+            let _ = writeln!(text, "  {:<28}{}", kernel.name, kernel.counts);
+        }
     }
     Ok(text)
 }

@@ -83,6 +83,19 @@ fn reduce_says_what_it_found_and_inspect_repeats_it() {
 }
 
 #[test]
+fn inspect_counts_every_kernel_whatever_its_form() {
+    for modes in ["1", "4", "9"] {
+        let inspected = reduced(&format!("--modes {modes}")).run("inspect body.ffrf.json").succeeded();
+        for kernel in
+            ["mass_matrix", "quadratic_velocity", "forward_dynamics", "kinetic_energy", "elastic_energy"]
+        {
+            let counted = |line: &&str| line.trim_start().starts_with(kernel) && line.contains(" operations");
+            assert_eq!(inspected.lines().filter(counted).count(), 1, "{modes} modes, {kernel}: {inspected}");
+        }
+    }
+}
+
+#[test]
 fn the_same_command_writes_the_same_bytes() {
     let (one, other) = (reduced("--modes 5"), reduced("--modes 5"));
     assert_eq!(one.read("body.ffrf.json"), other.read("body.ffrf.json"));
