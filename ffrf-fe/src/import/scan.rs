@@ -177,6 +177,10 @@ impl<'a> Cursor<'a> {
     #[inline]
     fn digits(&mut self, value: &mut u64) -> usize {
         let start = self.at;
+        while let Some(eight) = self.bytes.get(self.at..self.at + 8).and_then(eight_digits) {
+            *value = value.wrapping_mul(100_000_000).wrapping_add(eight);
+            self.at += 8;
+        }
         while let Some(byte @ b'0'..=b'9') = self.peek() {
             *value = value.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
             self.at += 1;
@@ -212,6 +216,23 @@ impl<'a> Cursor<'a> {
     }
 }
 
+/// Value of eight decimal digits, if all eight bytes are digits; byte-parallel arithmetic in one word
+/// (Lemire, "Number parsing at a gigabyte per second", 2021).
+#[inline]
+fn eight_digits(bytes: &[u8]) -> Option<u64> {
+    let word = u64::from_le_bytes(bytes.try_into().ok()?);
+    let high = word & 0xf0f0_f0f0_f0f0_f0f0;
+    let carried = word.wrapping_add(0x0606_0606_0606_0606) & 0xf0f0_f0f0_f0f0_f0f0;
+    if high | (carried >> 4) != 0x3333_3333_3333_3333 {
+        return None;
+    }
+    let digits = word & 0x0f0f_0f0f_0f0f_0f0f;
+    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8);
+    let even = (pairs & 0x0000_00ff_0000_00ff).wrapping_mul(0x000f_4240_0000_0064);
+    let odd = ((pairs >> 16) & 0x0000_00ff_0000_00ff).wrapping_mul(0x0000_2710_0000_0001);
+    Some(even.wrapping_add(odd) >> 32)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -235,6 +256,20 @@ mod tests {
             ("123456789012345678901234567890", 123456789012345678901234567890.0),
         ] {
             assert_eq!(float(text).map(f64::to_bits), Ok(value.to_bits()), "{text}");
+        }
+    }
+
+    #[test]
+    fn eight_digits_are_eight_digits() {
+        assert_eq!(eight_digits(b"12345678"), Some(12_345_678));
+        assert_eq!(eight_digits(b"00000009"), Some(9));
+        assert_eq!(eight_digits(b"99999999"), Some(99_999_999));
+        for byte in 0..=u8::MAX {
+            for place in 0..8 {
+                let mut text = *b"11111111";
+                text[place] = byte;
+                assert_eq!(eight_digits(&text).is_some(), byte.is_ascii_digit(), "{text:?}");
+            }
         }
     }
 
