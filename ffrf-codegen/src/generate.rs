@@ -79,7 +79,7 @@ fn kernels(
         .filter(|kind| !looped.contains(kind))
         .map(|&kind| {
             let kernel = Kernel::formulate(kind, graph.clone(), expressions)?;
-            ValidKernel::new(passes::run(kernel, options.fused_multiply_add), has_parameters)
+            ValidKernel::new(passes::run(kernel, options.fused_multiply_add), options.scalar, has_parameters)
         })
         .collect()
 }

@@ -1,8 +1,8 @@
 //! The validator: the only maker of what the emitter accepts.
 
-use crate::CodegenError;
 use crate::expression::{Expression, Node, Symbol};
 use crate::formulate::Kernel;
+use crate::{CodegenError, ScalarType};
 
 /// A kernel whose constants are finite, whose inputs are in its signature, whose nodes refer backwards, and
 /// which has as many results as its signature needs.
@@ -10,17 +10,17 @@ use crate::formulate::Kernel;
 pub struct ValidKernel(Kernel);
 
 impl ValidKernel {
-    /// Checks a kernel; `has_parameters` says whether the body's invariants are inputs.
+    /// Checks a kernel for values of type `scalar`; `has_parameters` says whether the invariants are inputs.
     ///
     /// Errors: `OutputCount`, `NotFinite`, `UndefinedSymbol`, `ForwardReference`.
-    pub fn new(kernel: Kernel, has_parameters: bool) -> Result<Self, CodegenError> {
+    pub fn new(kernel: Kernel, scalar: ScalarType, has_parameters: bool) -> Result<Self, CodegenError> {
         let name = kernel.kind.name();
         let expected = kernel.kind.outputs(kernel.mode_count).iter().map(|shape| shape.entries()).sum();
         if kernel.outputs.len() != expected {
             return Err(CodegenError::OutputCount { kernel: name, found: kernel.outputs.len(), expected });
         }
         for (handle, node) in kernel.graph.nodes() {
-            check_node(&kernel, handle, node, has_parameters)?;
+            check_node(&kernel, handle, node, scalar, has_parameters)?;
         }
         if let Some(output) = kernel.outputs.iter().find(|output| output.index() >= kernel.graph.len()) {
             let (node, operand) = (kernel.graph.len(), output.index());
@@ -39,11 +39,12 @@ fn check_node(
     kernel: &Kernel,
     handle: Expression,
     node: Node,
+    scalar: ScalarType,
     has_parameters: bool,
 ) -> Result<(), CodegenError> {
     let name = kernel.kind.name();
     match node {
-        Node::Constant(constant) if !constant.value().is_finite() => {
+        Node::Constant(constant) if !scalar.is_finite(constant.value()) => {
             return Err(CodegenError::NotFinite {
                 kernel: name,
                 node: handle.index(),
@@ -84,7 +85,7 @@ mod tests {
         let mut graph = Graph::new();
         let outputs = build(&mut graph);
         let kernel = Kernel { kind: KernelKind::ElasticEnergy, mode_count: 1, graph, outputs };
-        ValidKernel::new(kernel, false).map_err(|error| error.to_string())
+        ValidKernel::new(kernel, ScalarType::F32, false).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -100,6 +101,12 @@ mod tests {
     fn constants_that_are_not_finite_are_refused() {
         let error = energy(|graph| vec![graph.constant(f64::INFINITY)]).unwrap_err();
         assert_eq!(error, "elastic_energy: node 0 is the constant inf, expected a finite number");
+    }
+
+    #[test]
+    fn constants_beyond_the_scalar_type_are_refused() {
+        assert!(energy(|graph| vec![graph.constant(1e39)]).is_err());
+        assert!(energy(|graph| vec![graph.constant(1e38)]).is_ok());
     }
 
     #[test]
