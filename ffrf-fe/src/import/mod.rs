@@ -1,7 +1,7 @@
 //! Readers: files of FE codes to [`FeModel`](crate::FeModel).
 //!
-//! Stages: a file's bytes ([`source`], hashed while read) -> numbers ([`scan`]) -> entries as listed
-//! ([`entries`], one reader per format) -> symmetric sparse matrix ([`symmetric`]) -> checked model ([`model`]).
+//! Stages: a file's bytes (`source`, hashed while read) -> numbers (`scan`) -> entries as listed
+//! (`entries`, one reader per format) -> symmetric sparse matrix (`symmetric`) -> checked model (`model`).
 //!
 //! | Source | Nodes | Matrices |
 //! |---|---|---|
@@ -10,7 +10,12 @@
 //! | CalculiX | `.inp` | `.sti`, `.mas`, `.dof` of `*FREQUENCY, SOLVER=MATRIXSTORAGE` |
 //! | ANSYS | table `id x y z` | Matrix Market of `*SMAT`/`*DMAT` with a node mapping vector |
 //!
-//! The format of a matrix file is told by its first bytes, so any matrix format goes with any node source.
+//! The format of a matrix file is told by its first bytes, so any matrix format goes with any node source. A file
+//! that is not there is looked for with `.gz` after its name.
+//!
+//! Boundary conditions in an export: degrees of freedom with 1e36 on the diagonal (Abaqus), or whose rows a list
+//! leaves out (Abaqus, CalculiX), go to [`FeModel::fixed_dofs`](crate::FeModel::fixed_dofs); the mass of a node is
+//! then taken from its free directions, and refused if there is none.
 //!
 //! # Current limitations
 //! Three displacement degrees of freedom per node; no constraint equations (`*EQUATION`, `*TIE`, `*MPC`): their
