@@ -7,6 +7,7 @@
 mod bodies;
 #[path = "../ffrf-codegen/tests/proof/dual.rs"]
 mod dual;
+#[rustfmt::skip]
 #[path = "golden/jacobians_m2.rs"]
 mod jacobians_m2;
 #[path = "../ffrf-codegen/tests/common/random_body.rs"]

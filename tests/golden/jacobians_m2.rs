@@ -4,7 +4,7 @@
 //
 // Model: random body with 2 modes (made in the test), fingerprint 801fd2d4a02b7693
 // Modes: 2 of 2
-// Options: scalar f64, fidelity full, fused multiply-add auto, layout tolerance 1e-13
+// Options: scalar f64, fidelity full, fused multiply-add auto, layout tolerance 1e-15
 // Layout: first_moment: dense, modal_first_moment: dense, second_moment: symmetric, position_mode_moment: dense, mode_mode_moment: dense, modal_mass: identity, stiffness: symmetric, damping: diagonal
 // Cost of one call:
 //   mass_matrix          67 operations: 41 multiply-add, 6 multiply, 20 add
@@ -35,8 +35,7 @@ impl JacobianBody {
     pub const MASS: f64 = 7.95389213843747;
 
     /// Natural frequency of each mode that is an eigenmode. Units: Hz.
-    pub const FREQUENCIES_HZ: [::core::option::Option<f64>; 2] =
-        [::core::option::Option::None, ::core::option::Option::Some(12.5)];
+    pub const FREQUENCIES_HZ: [::core::option::Option<f64>; 2] = [::core::option::Option::None, ::core::option::Option::Some(12.5)];
 
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x801fd2d4a02b7693;
@@ -111,13 +110,11 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
-        let change_trace =
-            fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
+        let change_trace = fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
         let change_yy = fma(q1, 0.22053904757743034 + moment_yy1, q0 * (-0.09191914725543346 + moment_yy0));
         let change_zz = fma(q1, 0.08350957709807609 + moment_zz1, q0 * (-0.12615932134690072 + moment_zz0));
         let change_xy = fma(q1, -0.19465513087508376 + moment_xy1, q0 * (-0.16404494841334252 + moment_xy0));
@@ -132,84 +129,36 @@ const _: () = {
 
         [
             [
-                7.95389213843747,
-                0.0,
-                0.0,
-                0.0,
-                first_moment_z,
-                -first_moment_y,
-                -0.7613599420768367,
+                7.95389213843747, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.7613599420768367,
                 0.26899095817779994,
             ],
             [
-                0.0,
-                7.95389213843747,
-                0.0,
-                -first_moment_z,
-                0.0,
-                first_moment_x,
-                -0.013296641892764124,
+                0.0, 7.95389213843747, 0.0, -first_moment_z, 0.0, first_moment_x, -0.013296641892764124,
                 0.055993206221893924,
             ],
             [
-                0.0,
-                0.0,
-                7.95389213843747,
-                first_moment_y,
-                -first_moment_x,
-                0.0,
-                -0.14106512955956807,
+                0.0, 0.0, 7.95389213843747, first_moment_y, -first_moment_x, 0.0, -0.14106512955956807,
                 0.23954110582463117,
             ],
             [
-                0.0,
-                -first_moment_z,
-                first_moment_y,
-                inertia_xx,
-                inertia_xy,
-                inertia_xz,
-                coupling_x0,
+                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                 coupling_x1,
             ],
             [
-                first_moment_z,
-                0.0,
-                -first_moment_x,
-                inertia_xy,
-                inertia_yy,
-                inertia_yz,
-                coupling_y0,
+                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                 coupling_y1,
             ],
             [
-                -first_moment_y,
-                first_moment_x,
-                0.0,
-                inertia_xz,
-                inertia_yz,
-                inertia_zz,
-                coupling_z0,
+                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                 coupling_z1,
             ],
             [
-                -0.7613599420768367,
-                -0.013296641892764124,
-                -0.14106512955956807,
-                coupling_x0,
-                coupling_y0,
-                coupling_z0,
-                1.0,
-                0.0,
+                -0.7613599420768367, -0.013296641892764124, -0.14106512955956807, coupling_x0,
+                coupling_y0, coupling_z0, 1.0, 0.0,
             ],
             [
-                0.26899095817779994,
-                0.055993206221893924,
-                0.23954110582463117,
-                coupling_x1,
-                coupling_y1,
-                coupling_z1,
-                0.0,
-                1.0,
+                0.26899095817779994, 0.055993206221893924, 0.23954110582463117, coupling_x1, coupling_y1,
+                coupling_z1, 0.0, 1.0,
             ],
         ]
     }
@@ -247,13 +196,11 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
-        let change_trace =
-            fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
+        let change_trace = fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
         let change_yy = fma(q1, 0.22053904757743034 + moment_yy1, q0 * (-0.09191914725543346 + moment_yy0));
         let change_zz = fma(q1, 0.08350957709807609 + moment_zz1, q0 * (-0.12615932134690072 + moment_zz0));
         let change_xy = fma(q1, -0.19465513087508376 + moment_xy1, q0 * (-0.16404494841334252 + moment_xy0));
@@ -311,28 +258,21 @@ const _: () = {
         let t23 = omega_x * omega_z;
         let t24 = omega_y * omega_z;
         let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 =
-            fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
+        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
         let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
         let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 =
-            fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
         let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
 
         [
-            fma(-omega_z, t5, omega_y * t6),
-            fma(-omega_x, t6, omega_z * t4),
-            fma(-omega_y, t4, omega_x * t5),
-            t7 + t13,
-            t8 + t14,
-            t9 + t15,
-            modal_quadratic0,
+            fma(-omega_z, t5, omega_y * t6), fma(-omega_x, t6, omega_z * t4),
+            fma(-omega_y, t4, omega_x * t5), t7 + t13, t8 + t14, t9 + t15, modal_quadratic0,
             modal_quadratic1,
         ]
     }
@@ -371,13 +311,11 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
-        let change_trace =
-            fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
+        let change_trace = fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
         let change_yy = fma(q1, 0.22053904757743034 + moment_yy1, q0 * (-0.09191914725543346 + moment_yy0));
         let change_zz = fma(q1, 0.08350957709807609 + moment_zz1, q0 * (-0.12615932134690072 + moment_zz0));
         let change_xy = fma(q1, -0.19465513087508376 + moment_xy1, q0 * (-0.16404494841334252 + moment_xy0));
@@ -435,15 +373,13 @@ const _: () = {
         let t23 = omega_x * omega_z;
         let t24 = omega_y * omega_z;
         let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 =
-            fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
+        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
         let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
         let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 =
-            fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
@@ -463,52 +399,35 @@ const _: () = {
         let t31 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
         let t32 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
         let t33 = fma(0.26899095817779994, coupling_x1, -0.7613599420768367 * coupling_x0);
-        let t34 =
-            fma(-0.26899095817779994, coupling_y1, fma(0.7613599420768367, coupling_y0, first_moment_z));
-        let t35 =
-            fma(0.26899095817779994, coupling_z1, fma(-0.7613599420768367, coupling_z0, first_moment_y));
-        let t36 =
-            fma(0.055993206221893924, coupling_x1, fma(-0.013296641892764124, coupling_x0, first_moment_z));
+        let t34 = fma(-0.26899095817779994, coupling_y1, fma(0.7613599420768367, coupling_y0, first_moment_z));
+        let t35 = fma(0.26899095817779994, coupling_z1, fma(-0.7613599420768367, coupling_z0, first_moment_y));
+        let t36 = fma(0.055993206221893924, coupling_x1, fma(-0.013296641892764124, coupling_x0, first_moment_z));
         let t37 = fma(0.055993206221893924, coupling_y1, -0.013296641892764124 * coupling_y0);
-        let t38 =
-            fma(-0.055993206221893924, coupling_z1, fma(0.013296641892764124, coupling_z0, first_moment_x));
-        let t39 =
-            fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
-        let t40 =
-            fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
+        let t38 = fma(-0.055993206221893924, coupling_z1, fma(0.013296641892764124, coupling_z0, first_moment_x));
+        let t39 = fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
+        let t40 = fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
         let t41 = fma(0.23954110582463117, coupling_z1, -0.14106512955956807 * coupling_z0);
-        let reduced_force_x =
-            fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t5, omega_y * t6));
+        let reduced_force_x = fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t5, omega_y * t6));
         let reduced_force_x = fma(-0.26899095817779994, modal_residual1, reduced_force_x);
-        let reduced_force_y =
-            fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t6, omega_z * t4));
+        let reduced_force_y = fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t6, omega_z * t4));
         let reduced_force_y = fma(-0.055993206221893924, modal_residual1, reduced_force_y);
-        let reduced_force_z =
-            fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t4, omega_x * t5));
+        let reduced_force_z = fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t4, omega_x * t5));
         let reduced_force_z = fma(-0.23954110582463117, modal_residual1, reduced_force_z);
-        let reduced_moment_x =
-            fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t13)));
-        let reduced_moment_y =
-            fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t8 + t14)));
-        let reduced_moment_z =
-            fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t9 + t15)));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t13)));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t8 + t14)));
+        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t9 + t15)));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t42 =
-            fma(t39, 0.0029901429709046825, fma(t36, -0.0004398005649018212, t33 * -0.13702315917076313));
+        let t42 = fma(t39, 0.0029901429709046825, fma(t36, -0.0004398005649018212, t33 * -0.13702315917076313));
         let t43 = fma(t39, 0.000253729233449132, fma(t36, -0.1257788668457493, t33 * -0.0004398005649018212));
         let t44 = fma(t36, -0.000253729233449132, t33 * -0.0029901429709046825);
         let t45 = fma(t39, 0.12702385080665668, t44);
-        let t46 =
-            fma(t40, -0.0029901429709046825, fma(t37, -0.0004398005649018212, t34 * 0.13702315917076313));
+        let t46 = fma(t40, -0.0029901429709046825, fma(t37, -0.0004398005649018212, t34 * 0.13702315917076313));
         let t47 = fma(t40, -0.000253729233449132, fma(t37, -0.1257788668457493, t34 * 0.0004398005649018212));
-        let t48 =
-            fma(t40, -0.12702385080665668, fma(t37, -0.000253729233449132, t34 * 0.0029901429709046825));
-        let t49 =
-            fma(t41, -0.0029901429709046825, fma(t38, 0.0004398005649018212, t35 * -0.13702315917076313));
+        let t48 = fma(t40, -0.12702385080665668, fma(t37, -0.000253729233449132, t34 * 0.0029901429709046825));
+        let t49 = fma(t41, -0.0029901429709046825, fma(t38, 0.0004398005649018212, t35 * -0.13702315917076313));
         let t50 = fma(t41, -0.000253729233449132, fma(t38, 0.1257788668457493, t35 * -0.0004398005649018212));
-        let t51 =
-            fma(t41, -0.12702385080665668, fma(t38, 0.000253729233449132, t35 * -0.0029901429709046825));
+        let t51 = fma(t41, -0.12702385080665668, fma(t38, 0.000253729233449132, t35 * -0.0029901429709046825));
         let t52 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
         let t53 = fma(reduced_force_z, 0.0029901429709046825, t52);
         let t54 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
@@ -534,8 +453,7 @@ const _: () = {
         let angular_acceleration_x = fma(t66, t71, fma(t65, t72, t64 * (t67 * inverse_determinant)));
         let angular_acceleration_y = fma(t65, fma(-t62, t62, t58 * t60) * inverse_determinant, t64 * t72);
         let angular_acceleration_y = fma(t66, t70, angular_acceleration_y);
-        let angular_acceleration_z =
-            fma(t66, fma(-t63, t63, t58 * t59) * inverse_determinant, fma(t65, t70, t64 * t71));
+        let angular_acceleration_z = fma(t66, fma(-t63, t63, t58 * t59) * inverse_determinant, fma(t65, t70, t64 * t71));
         let acceleration_x = fma(-t46, angular_acceleration_y, fma(-t42, angular_acceleration_x, t53));
         let acceleration_x = fma(-t49, angular_acceleration_z, acceleration_x);
         let acceleration_y = fma(-t47, angular_acceleration_y, fma(-t43, angular_acceleration_x, t55));
@@ -544,30 +462,16 @@ const _: () = {
         let acceleration_z = fma(-t51, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t73 = fma(
-            0.013296641892764124,
-            acceleration_y,
-            fma(0.7613599420768367, acceleration_x, modal_residual0),
-        );
+        let t73 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
         let t74 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t73));
         let t75 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t74));
-        let t76 = fma(
-            -0.055993206221893924,
-            acceleration_y,
-            fma(-0.26899095817779994, acceleration_x, modal_residual1),
-        );
+        let t76 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
         let t77 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t76));
         let t78 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t77));
 
         [
-            acceleration_x,
-            acceleration_y,
-            acceleration_z,
-            angular_acceleration_x,
-            angular_acceleration_y,
-            angular_acceleration_z,
-            t75,
-            t78,
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t75, t78,
         ]
     }
 
@@ -610,13 +514,11 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
-        let change_trace =
-            fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
+        let change_trace = fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
         let change_yy = fma(q1, 0.22053904757743034 + moment_yy1, q0 * (-0.09191914725543346 + moment_yy0));
         let change_zz = fma(q1, 0.08350957709807609 + moment_zz1, q0 * (-0.12615932134690072 + moment_zz0));
         let change_xy = fma(q1, -0.19465513087508376 + moment_xy1, q0 * (-0.16404494841334252 + moment_xy0));
@@ -680,15 +582,13 @@ const _: () = {
         let t29 = omega_x * omega_z;
         let t30 = omega_y * omega_z;
         let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t25, moment_yy0 * t26));
-        let modal_quadratic0 =
-            fma(moment_yz0, t30, fma(moment_xz0, t29, fma(moment_xy0, t28, modal_quadratic0)));
+        let modal_quadratic0 = fma(moment_yz0, t30, fma(moment_xz0, t29, fma(moment_xy0, t28, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
         let modal_quadratic0 = fma(t15, whirl_z0, fma(t14, whirl_y0, fma(t13, whirl_x0, modal_quadratic0)));
         let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t25, moment_yy1 * t26));
-        let modal_quadratic1 =
-            fma(moment_yz1, t30, fma(moment_xz1, t29, fma(moment_xy1, t28, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_yz1, t30, fma(moment_xz1, t29, fma(moment_xy1, t28, modal_quadratic1)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
@@ -708,58 +608,32 @@ const _: () = {
         let t37 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
         let t38 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
         let t39 = fma(0.26899095817779994, coupling_x1, -0.7613599420768367 * coupling_x0);
-        let t40 =
-            fma(-0.26899095817779994, coupling_y1, fma(0.7613599420768367, coupling_y0, first_moment_z));
-        let t41 =
-            fma(0.26899095817779994, coupling_z1, fma(-0.7613599420768367, coupling_z0, first_moment_y));
-        let t42 =
-            fma(0.055993206221893924, coupling_x1, fma(-0.013296641892764124, coupling_x0, first_moment_z));
+        let t40 = fma(-0.26899095817779994, coupling_y1, fma(0.7613599420768367, coupling_y0, first_moment_z));
+        let t41 = fma(0.26899095817779994, coupling_z1, fma(-0.7613599420768367, coupling_z0, first_moment_y));
+        let t42 = fma(0.055993206221893924, coupling_x1, fma(-0.013296641892764124, coupling_x0, first_moment_z));
         let t43 = fma(0.055993206221893924, coupling_y1, -0.013296641892764124 * coupling_y0);
-        let t44 =
-            fma(-0.055993206221893924, coupling_z1, fma(0.013296641892764124, coupling_z0, first_moment_x));
-        let t45 =
-            fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
-        let t46 =
-            fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
+        let t44 = fma(-0.055993206221893924, coupling_z1, fma(0.013296641892764124, coupling_z0, first_moment_x));
+        let t45 = fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
+        let t46 = fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
         let t47 = fma(0.23954110582463117, coupling_z1, -0.14106512955956807 * coupling_z0);
-        let reduced_force_x = fma(
-            -0.26899095817779994,
-            modal_residual1,
-            fma(0.7613599420768367, modal_residual0, force_x - t7),
-        );
-        let reduced_force_y = fma(
-            -0.055993206221893924,
-            modal_residual1,
-            fma(0.013296641892764124, modal_residual0, force_y - t8),
-        );
-        let reduced_force_z = fma(
-            -0.23954110582463117,
-            modal_residual1,
-            fma(0.14106512955956807, modal_residual0, force_z - t9),
-        );
-        let reduced_moment_x =
-            fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t19));
-        let reduced_moment_y =
-            fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t20));
-        let reduced_moment_z =
-            fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
+        let reduced_force_x = fma(-0.26899095817779994, modal_residual1, fma(0.7613599420768367, modal_residual0, force_x - t7));
+        let reduced_force_y = fma(-0.055993206221893924, modal_residual1, fma(0.013296641892764124, modal_residual0, force_y - t8));
+        let reduced_force_z = fma(-0.23954110582463117, modal_residual1, fma(0.14106512955956807, modal_residual0, force_z - t9));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t19));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t20));
+        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t48 =
-            fma(t45, 0.0029901429709046825, fma(t42, -0.0004398005649018212, t39 * -0.13702315917076313));
+        let t48 = fma(t45, 0.0029901429709046825, fma(t42, -0.0004398005649018212, t39 * -0.13702315917076313));
         let t49 = fma(t45, 0.000253729233449132, fma(t42, -0.1257788668457493, t39 * -0.0004398005649018212));
         let t50 = fma(t42, -0.000253729233449132, t39 * -0.0029901429709046825);
         let t51 = fma(t45, 0.12702385080665668, t50);
-        let t52 =
-            fma(t46, -0.0029901429709046825, fma(t43, -0.0004398005649018212, t40 * 0.13702315917076313));
+        let t52 = fma(t46, -0.0029901429709046825, fma(t43, -0.0004398005649018212, t40 * 0.13702315917076313));
         let t53 = fma(t46, -0.000253729233449132, fma(t43, -0.1257788668457493, t40 * 0.0004398005649018212));
-        let t54 =
-            fma(t46, -0.12702385080665668, fma(t43, -0.000253729233449132, t40 * 0.0029901429709046825));
-        let t55 =
-            fma(t47, -0.0029901429709046825, fma(t44, 0.0004398005649018212, t41 * -0.13702315917076313));
+        let t54 = fma(t46, -0.12702385080665668, fma(t43, -0.000253729233449132, t40 * 0.0029901429709046825));
+        let t55 = fma(t47, -0.0029901429709046825, fma(t44, 0.0004398005649018212, t41 * -0.13702315917076313));
         let t56 = fma(t47, -0.000253729233449132, fma(t44, 0.1257788668457493, t41 * -0.0004398005649018212));
-        let t57 =
-            fma(t47, -0.12702385080665668, fma(t44, 0.000253729233449132, t41 * -0.0029901429709046825));
+        let t57 = fma(t47, -0.12702385080665668, fma(t44, 0.000253729233449132, t41 * -0.0029901429709046825));
         let t58 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
         let t59 = fma(reduced_force_z, 0.0029901429709046825, t58);
         let t60 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
@@ -785,8 +659,7 @@ const _: () = {
         let angular_acceleration_x = fma(t72, t77, fma(t71, t78, t70 * (t73 * inverse_determinant)));
         let angular_acceleration_y = fma(t71, fma(-t68, t68, t64 * t66) * inverse_determinant, t70 * t78);
         let angular_acceleration_y = fma(t72, t76, angular_acceleration_y);
-        let angular_acceleration_z =
-            fma(t72, fma(-t69, t69, t64 * t65) * inverse_determinant, fma(t71, t76, t70 * t77));
+        let angular_acceleration_z = fma(t72, fma(-t69, t69, t64 * t65) * inverse_determinant, fma(t71, t76, t70 * t77));
         let acceleration_x = fma(-t52, angular_acceleration_y, fma(-t48, angular_acceleration_x, t59));
         let acceleration_x = fma(-t55, angular_acceleration_z, acceleration_x);
         let acceleration_y = fma(-t53, angular_acceleration_y, fma(-t49, angular_acceleration_x, t61));
@@ -795,114 +668,52 @@ const _: () = {
         let acceleration_z = fma(-t57, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t79 = fma(
-            0.013296641892764124,
-            acceleration_y,
-            fma(0.7613599420768367, acceleration_x, modal_residual0),
-        );
+        let t79 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
         let t80 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t79));
         let t81 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t80));
-        let t82 = fma(
-            -0.055993206221893924,
-            acceleration_y,
-            fma(-0.26899095817779994, acceleration_x, modal_residual1),
-        );
+        let t82 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
         let t83 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t82));
         let t84 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t83));
 
         (
             [
                 [
-                    7.95389213843747,
-                    0.0,
-                    0.0,
-                    0.0,
-                    first_moment_z,
-                    -first_moment_y,
-                    -0.7613599420768367,
+                    7.95389213843747, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.7613599420768367,
                     0.26899095817779994,
                 ],
                 [
-                    0.0,
-                    7.95389213843747,
-                    0.0,
-                    -first_moment_z,
-                    0.0,
-                    first_moment_x,
-                    -0.013296641892764124,
+                    0.0, 7.95389213843747, 0.0, -first_moment_z, 0.0, first_moment_x, -0.013296641892764124,
                     0.055993206221893924,
                 ],
                 [
-                    0.0,
-                    0.0,
-                    7.95389213843747,
-                    first_moment_y,
-                    -first_moment_x,
-                    0.0,
-                    -0.14106512955956807,
+                    0.0, 0.0, 7.95389213843747, first_moment_y, -first_moment_x, 0.0, -0.14106512955956807,
                     0.23954110582463117,
                 ],
                 [
-                    0.0,
-                    -first_moment_z,
-                    first_moment_y,
-                    inertia_xx,
-                    inertia_xy,
-                    inertia_xz,
-                    coupling_x0,
+                    0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                     coupling_x1,
                 ],
                 [
-                    first_moment_z,
-                    0.0,
-                    -first_moment_x,
-                    inertia_xy,
-                    inertia_yy,
-                    inertia_yz,
-                    coupling_y0,
+                    first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                     coupling_y1,
                 ],
                 [
-                    -first_moment_y,
-                    first_moment_x,
-                    0.0,
-                    inertia_xz,
-                    inertia_yz,
-                    inertia_zz,
-                    coupling_z0,
+                    -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                     coupling_z1,
                 ],
                 [
-                    -0.7613599420768367,
-                    -0.013296641892764124,
-                    -0.14106512955956807,
-                    coupling_x0,
-                    coupling_y0,
-                    coupling_z0,
-                    1.0,
-                    0.0,
+                    -0.7613599420768367, -0.013296641892764124, -0.14106512955956807, coupling_x0,
+                    coupling_y0, coupling_z0, 1.0, 0.0,
                 ],
                 [
-                    0.26899095817779994,
-                    0.055993206221893924,
-                    0.23954110582463117,
-                    coupling_x1,
-                    coupling_y1,
-                    coupling_z1,
-                    0.0,
-                    1.0,
+                    0.26899095817779994, 0.055993206221893924, 0.23954110582463117, coupling_x1, coupling_y1,
+                    coupling_z1, 0.0, 1.0,
                 ],
             ],
             [t7, t8, t9, t19, t20, t21, modal_quadratic0, modal_quadratic1],
             [
-                acceleration_x,
-                acceleration_y,
-                acceleration_z,
-                angular_acceleration_x,
-                angular_acceleration_y,
-                angular_acceleration_z,
-                t81,
-                t84,
+                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+                angular_acceleration_y, angular_acceleration_z, t81, t84,
             ],
         )
     }
@@ -941,13 +752,11 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
-        let change_trace =
-            fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
+        let change_trace = fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
         let change_yy = fma(q1, 0.22053904757743034 + moment_yy1, q0 * (-0.09191914725543346 + moment_yy0));
         let change_zz = fma(q1, 0.08350957709807609 + moment_zz1, q0 * (-0.12615932134690072 + moment_zz0));
         let change_xy = fma(q1, -0.19465513087508376 + moment_xy1, q0 * (-0.16404494841334252 + moment_xy0));
@@ -998,11 +807,7 @@ const _: () = {
         let [q0, q1] = *q;
 
         // Elastic energy (7 operations: 3 multiply-add, 4 multiply)
-        let t1 = fma(
-            q1,
-            fma(70.93539824726788, q1, 0.9351597374893034 * q0),
-            q0 * fma(0.9351597374893034, q1, 41.0018510905971 * q0),
-        );
+        let t1 = fma(q1, fma(70.93539824726788, q1, 0.9351597374893034 * q0), q0 * fma(0.9351597374893034, q1, 41.0018510905971 * q0));
 
         t1 * 0.5
     }
@@ -1021,8 +826,7 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (15 operations: 12 multiply-add, 3 multiply)
@@ -1070,13 +874,11 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (60 operations: 21 multiply-add, 15 multiply, 24 add)
-        let change_trace =
-            fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
+        let change_trace = fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
         let change_yy = fma(q1, 0.22053904757743034 + moment_yy1, q0 * (-0.09191914725543346 + moment_yy0));
         let change_zz = fma(q1, 0.08350957709807609 + moment_zz1, q0 * (-0.12615932134690072 + moment_zz0));
         let change_xy = fma(q1, -0.19465513087508376 + moment_xy1, q0 * (-0.16404494841334252 + moment_xy0));
@@ -1131,8 +933,7 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Gravity (15 operations: 7 multiply-add, 8 multiply)
@@ -1140,14 +941,11 @@ const _: () = {
         let t2 = fma(0.055993206221893924, gravity_y, 0.26899095817779994 * gravity_x);
 
         [
-            7.95389213843747 * gravity_x,
-            7.95389213843747 * gravity_y,
-            7.95389213843747 * gravity_z,
+            7.95389213843747 * gravity_x, 7.95389213843747 * gravity_y, 7.95389213843747 * gravity_z,
             fma(-gravity_y, first_moment_z, gravity_z * first_moment_y),
             fma(-gravity_z, first_moment_x, gravity_x * first_moment_z),
             fma(-gravity_x, first_moment_y, gravity_y * first_moment_x),
-            fma(-0.14106512955956807, gravity_z, t1),
-            fma(0.23954110582463117, gravity_z, t2),
+            fma(-0.14106512955956807, gravity_z, t1), fma(0.23954110582463117, gravity_z, t2),
         ]
     }
 
@@ -1158,7 +956,11 @@ const _: () = {
     /// Cost: 0 operations.
     #[inline]
     fn stiffness_matrix() -> [[f64; 2]; 2] {
-        [[41.0018510905971, 0.9351597374893034], [0.9351597374893034, 70.93539824726788]]
+
+        [
+            [41.0018510905971, 0.9351597374893034],
+            [0.9351597374893034, 70.93539824726788],
+        ]
     }
 
     /// Modal damping D_ff.
@@ -1168,7 +970,11 @@ const _: () = {
     /// Cost: 0 operations.
     #[inline]
     fn damping_matrix() -> [[f64; 2]; 2] {
-        [[0.410018510905971, 0.0], [0.0, 0.7093539824726789]]
+
+        [
+            [0.410018510905971, 0.0],
+            [0.0, 0.7093539824726789],
+        ]
     }
 
     /// Accelerations w and their derivatives with respect to q, q̇, ω and force; that to the velocity is zero.
@@ -1230,8 +1036,7 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
@@ -1317,15 +1122,13 @@ const _: () = {
         let t70 = omega_x * omega_z;
         let t71 = omega_y * omega_z;
         let modal_quadratic0 = fma(moment_zz0, t68, fma(-moment_trace0, t66, moment_yy0 * t67));
-        let modal_quadratic0 =
-            fma(moment_yz0, t71, fma(moment_xz0, t70, fma(moment_xy0, t69, modal_quadratic0)));
+        let modal_quadratic0 = fma(moment_yz0, t71, fma(moment_xz0, t70, fma(moment_xy0, t69, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
         let modal_quadratic0 = fma(t59, whirl_z0, fma(t58, whirl_y0, fma(t57, whirl_x0, modal_quadratic0)));
         let modal_quadratic1 = fma(moment_zz1, t68, fma(-moment_trace1, t66, moment_yy1 * t67));
-        let modal_quadratic1 =
-            fma(moment_yz1, t71, fma(moment_xz1, t70, fma(moment_xy1, t69, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_yz1, t71, fma(moment_xz1, t70, fma(moment_xy1, t69, modal_quadratic1)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
@@ -1345,52 +1148,35 @@ const _: () = {
         let t78 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
         let t79 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
         let t80 = fma(0.26899095817779994, coupling_x1, -0.7613599420768367 * coupling_x0);
-        let t81 =
-            fma(-0.26899095817779994, coupling_y1, fma(0.7613599420768367, coupling_y0, first_moment_z));
-        let t82 =
-            fma(0.26899095817779994, coupling_z1, fma(-0.7613599420768367, coupling_z0, first_moment_y));
-        let t83 =
-            fma(0.055993206221893924, coupling_x1, fma(-0.013296641892764124, coupling_x0, first_moment_z));
+        let t81 = fma(-0.26899095817779994, coupling_y1, fma(0.7613599420768367, coupling_y0, first_moment_z));
+        let t82 = fma(0.26899095817779994, coupling_z1, fma(-0.7613599420768367, coupling_z0, first_moment_y));
+        let t83 = fma(0.055993206221893924, coupling_x1, fma(-0.013296641892764124, coupling_x0, first_moment_z));
         let t84 = fma(0.055993206221893924, coupling_y1, -0.013296641892764124 * coupling_y0);
-        let t85 =
-            fma(-0.055993206221893924, coupling_z1, fma(0.013296641892764124, coupling_z0, first_moment_x));
-        let t86 =
-            fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
-        let t87 =
-            fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
+        let t85 = fma(-0.055993206221893924, coupling_z1, fma(0.013296641892764124, coupling_z0, first_moment_x));
+        let t86 = fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
+        let t87 = fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
         let t88 = fma(0.23954110582463117, coupling_z1, -0.14106512955956807 * coupling_z0);
-        let reduced_force_x =
-            fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t43, omega_y * t44));
+        let reduced_force_x = fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t43, omega_y * t44));
         let reduced_force_x = fma(-0.26899095817779994, modal_residual1, reduced_force_x);
-        let reduced_force_y =
-            fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t44, omega_z * t42));
+        let reduced_force_y = fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t44, omega_z * t42));
         let reduced_force_y = fma(-0.055993206221893924, modal_residual1, reduced_force_y);
-        let reduced_force_z =
-            fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t42, omega_x * t43));
+        let reduced_force_z = fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t42, omega_x * t43));
         let reduced_force_z = fma(-0.23954110582463117, modal_residual1, reduced_force_z);
-        let reduced_moment_x =
-            fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t60));
-        let reduced_moment_y =
-            fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t61));
-        let reduced_moment_z =
-            fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t62));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t60));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t61));
+        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t62));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t89 =
-            fma(t86, 0.0029901429709046825, fma(t83, -0.0004398005649018212, t80 * -0.13702315917076313));
+        let t89 = fma(t86, 0.0029901429709046825, fma(t83, -0.0004398005649018212, t80 * -0.13702315917076313));
         let t90 = fma(t86, 0.000253729233449132, fma(t83, -0.1257788668457493, t80 * -0.0004398005649018212));
         let t91 = fma(t83, -0.000253729233449132, t80 * -0.0029901429709046825);
         let t92 = fma(t86, 0.12702385080665668, t91);
-        let t93 =
-            fma(t87, -0.0029901429709046825, fma(t84, -0.0004398005649018212, t81 * 0.13702315917076313));
+        let t93 = fma(t87, -0.0029901429709046825, fma(t84, -0.0004398005649018212, t81 * 0.13702315917076313));
         let t94 = fma(t87, -0.000253729233449132, fma(t84, -0.1257788668457493, t81 * 0.0004398005649018212));
-        let t95 =
-            fma(t87, -0.12702385080665668, fma(t84, -0.000253729233449132, t81 * 0.0029901429709046825));
-        let t96 =
-            fma(t88, -0.0029901429709046825, fma(t85, 0.0004398005649018212, t82 * -0.13702315917076313));
+        let t95 = fma(t87, -0.12702385080665668, fma(t84, -0.000253729233449132, t81 * 0.0029901429709046825));
+        let t96 = fma(t88, -0.0029901429709046825, fma(t85, 0.0004398005649018212, t82 * -0.13702315917076313));
         let t97 = fma(t88, -0.000253729233449132, fma(t85, 0.1257788668457493, t82 * -0.0004398005649018212));
-        let t98 =
-            fma(t88, -0.12702385080665668, fma(t85, 0.000253729233449132, t82 * -0.0029901429709046825));
+        let t98 = fma(t88, -0.12702385080665668, fma(t85, 0.000253729233449132, t82 * -0.0029901429709046825));
         let t99 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
         let t100 = fma(reduced_force_z, 0.0029901429709046825, t99);
         let t101 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
@@ -1430,24 +1216,12 @@ const _: () = {
         let acceleration_z = fma(-t98, angular_acceleration_z_4, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t117 = fma(
-            0.013296641892764124,
-            acceleration_y,
-            fma(0.7613599420768367, acceleration_x, modal_residual0),
-        );
-        let t118 =
-            fma(-coupling_x0, angular_acceleration_x_2, fma(0.14106512955956807, acceleration_z, t117));
-        let t119 =
-            fma(-coupling_z0, angular_acceleration_z_4, fma(-coupling_y0, angular_acceleration_y_3, t118));
-        let t120 = fma(
-            -0.055993206221893924,
-            acceleration_y,
-            fma(-0.26899095817779994, acceleration_x, modal_residual1),
-        );
-        let t121 =
-            fma(-coupling_x1, angular_acceleration_x_2, fma(-0.23954110582463117, acceleration_z, t120));
-        let t122 =
-            fma(-coupling_z1, angular_acceleration_z_4, fma(-coupling_y1, angular_acceleration_y_3, t121));
+        let t117 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
+        let t118 = fma(-coupling_x0, angular_acceleration_x_2, fma(0.14106512955956807, acceleration_z, t117));
+        let t119 = fma(-coupling_z0, angular_acceleration_z_4, fma(-coupling_y0, angular_acceleration_y_3, t118));
+        let t120 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
+        let t121 = fma(-coupling_x1, angular_acceleration_x_2, fma(-0.23954110582463117, acceleration_z, t120));
+        let t122 = fma(-coupling_z1, angular_acceleration_z_4, fma(-coupling_y1, angular_acceleration_y_3, t121));
 
         // Derivatives of the residual (277 operations: 109 multiply-add, 79 multiply, 89 add)
         let t123 = q0 + t21;
@@ -1472,8 +1246,7 @@ const _: () = {
         let t142 = fma(0.11303908576704362, q_dot1, fma(omega_z, t128, fma(omega_y, t129, omega_x * t130)));
         let t143 = fma(-omega_z, t138, fma(-omega_y, t137, t57 * (t135 + t136)));
         let t144 = fma(-omega_z, t139, fma(-omega_x, t137, t58 * (q_dot0 - t135)));
-        let t145 = fma(-omega_y, t140, omega_x * t141)
-            + fma(t59, q_dot0 - t136, -fma(omega_y, t139, omega_x * t138));
+        let t145 = fma(-omega_y, t140, omega_x * t141) + fma(t59, q_dot0 - t136, -fma(omega_y, t139, omega_x * t138));
         let t146 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t67, -t66));
         let t147 = fma(-0.33402903106409804, t70, fma(0.12985232981165795, t69, t146));
         let t148 = fma(0.08566760407982914, t69, fma(-0.04431370462910027, t68, 0.00639232183790743 * t67));
@@ -1502,8 +1275,7 @@ const _: () = {
         let t171 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t157, fma(omega_y, t158, omega_x * t159)));
         let t172 = fma(-omega_z, t167, fma(-omega_y, t166, t57 * (t164 + t165)));
         let t173 = fma(-omega_z, t168, fma(-omega_x, t166, t58 * (q_dot1 - t164)));
-        let t174 = fma(-omega_y, t169, omega_x * t170)
-            + fma(t59, q_dot1 - t165, -fma(omega_y, t168, omega_x * t167));
+        let t174 = fma(-omega_y, t169, omega_x * t170) + fma(t59, q_dot1 - t165, -fma(omega_y, t168, omega_x * t167));
         let t175 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t67, -t66));
         let t176 = fma(0.41141170797873267, t70, fma(0.031030589707457527, t69, t175));
         let t177 = 70.93539824726788 + fma(0.13572545476093628, t71, t176);
@@ -1515,10 +1287,8 @@ const _: () = {
         let t183 = omega_x * moment_xz0;
         let t184 = omega_y * moment_yz0;
         let t185 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t57, t178, -t179) - t180);
-        let t186 = fma(-omega_x, coupling_z0, omega_z * coupling_x0)
-            + (fma(t58, moment_trace0 - moment_yy0, -t181) - t182);
-        let t187 = fma(-omega_y, coupling_x0, omega_x * coupling_y0)
-            + fma(t59, moment_trace0 - moment_zz0, -(t183 + t184));
+        let t186 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t58, moment_trace0 - moment_yy0, -t181) - t182);
+        let t187 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t59, moment_trace0 - moment_zz0, -(t183 + t184));
         let t188 = fma(0.11303908576704362, t59, fma(-0.19242619512316964, t58, -0.01153987579044198 * t57));
         let t189 = moment_yy1 + moment_zz1;
         let t190 = omega_y * moment_xy1;
@@ -1528,10 +1298,8 @@ const _: () = {
         let t194 = omega_x * moment_xz1;
         let t195 = omega_y * moment_yz1;
         let t196 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t57, t189, -t190) - t191);
-        let t197 = fma(-omega_x, coupling_z1, omega_z * coupling_x1)
-            + (fma(t58, moment_trace1 - moment_yy1, -t192) - t193);
-        let t198 = fma(-omega_y, coupling_x1, omega_x * coupling_y1)
-            + fma(t59, moment_trace1 - moment_zz1, -(t194 + t195));
+        let t197 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t58, moment_trace1 - moment_yy1, -t192) - t193);
+        let t198 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t59, moment_trace1 - moment_zz1, -(t194 + t195));
         let t199 = fma(-0.11303908576704362, t59, fma(0.19242619512316964, t58, 0.01153987579044198 * t57));
         let t200 = omega_y * first_moment_y;
         let t201 = omega_z * first_moment_z;
@@ -1562,19 +1330,13 @@ const _: () = {
         let t224 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t145));
         let t225 = fma(angular_acceleration_y_3, t129, fma(angular_acceleration_x_2, t130, t224));
         let t226 = fma(0.11303908576704362, t122, fma(angular_acceleration_z_4, t128, t225));
-        let t227 = fma(
-            -0.19242619512316964,
-            angular_acceleration_y_3,
-            fma(-0.01153987579044198, angular_acceleration_x_2, t151),
-        );
+        let t227 = fma(-0.19242619512316964, angular_acceleration_y_3, fma(-0.01153987579044198, angular_acceleration_x_2, t151));
         let t228 = fma(0.11303908576704362, angular_acceleration_z_4, t227);
-        let reduced_force_x_2 =
-            fma(-0.7613599420768367, t150, fma(-0.013296641892764124, angular_acceleration_z_4, -t215));
+        let reduced_force_x_2 = fma(-0.7613599420768367, t150, fma(-0.013296641892764124, angular_acceleration_z_4, -t215));
         let reduced_force_x_2 = fma(0.26899095817779994, t228, reduced_force_x_2);
         let t229 = fma(t150, 0.013296641892764124, fma(-0.7613599420768367, angular_acceleration_z_4, t216));
         let t230 = fma(t228, -0.055993206221893924, t229);
-        let reduced_force_z_2 =
-            fma(-0.14106512955956807, t150, fma(-0.7613599420768367, angular_acceleration_y_3, -t217));
+        let reduced_force_z_2 = fma(-0.14106512955956807, t150, fma(-0.7613599420768367, angular_acceleration_y_3, -t217));
         let reduced_force_z_2 = fma(0.23954110582463117, t228, reduced_force_z_2);
         let reduced_moment_x_2 = fma(coupling_x0, t150, -fma(-0.01153987579044198, t122, t220));
         let reduced_moment_x_2 = fma(coupling_x1, t228, reduced_moment_x_2);
@@ -1602,18 +1364,12 @@ const _: () = {
         let acceleration_y_2 = fma(-t97, angular_acceleration_z_5, acceleration_y_2);
         let acceleration_z_2 = fma(-t95, angular_acceleration_y_4, fma(-t92, angular_acceleration_x_3, t236));
         let acceleration_z_2 = fma(-t98, angular_acceleration_z_5, acceleration_z_2);
-        let t240 =
-            fma(-0.013296641892764124, acceleration_y_2, fma(-0.7613599420768367, acceleration_x_2, t150));
-        let t241 =
-            fma(coupling_x0, angular_acceleration_x_3, fma(-0.14106512955956807, acceleration_z_2, t240));
-        let t242 =
-            fma(coupling_z0, angular_acceleration_z_5, fma(coupling_y0, angular_acceleration_y_4, t241));
-        let t243 =
-            fma(0.055993206221893924, acceleration_y_2, fma(0.26899095817779994, acceleration_x_2, t228));
-        let t244 =
-            fma(coupling_x1, angular_acceleration_x_3, fma(0.23954110582463117, acceleration_z_2, t243));
-        let t245 =
-            fma(coupling_z1, angular_acceleration_z_5, fma(coupling_y1, angular_acceleration_y_4, t244));
+        let t240 = fma(-0.013296641892764124, acceleration_y_2, fma(-0.7613599420768367, acceleration_x_2, t150));
+        let t241 = fma(coupling_x0, angular_acceleration_x_3, fma(-0.14106512955956807, acceleration_z_2, t240));
+        let t242 = fma(coupling_z0, angular_acceleration_z_5, fma(coupling_y0, angular_acceleration_y_4, t241));
+        let t243 = fma(0.055993206221893924, acceleration_y_2, fma(0.26899095817779994, acceleration_x_2, t228));
+        let t244 = fma(coupling_x1, angular_acceleration_x_3, fma(0.23954110582463117, acceleration_z_2, t243));
+        let t245 = fma(coupling_z1, angular_acceleration_z_5, fma(coupling_y1, angular_acceleration_y_4, t244));
         let t246 = fma(0.23954110582463117, angular_acceleration_y_3, fma(-omega_z, t162, omega_y * t163));
         let t247 = fma(-0.23954110582463117, angular_acceleration_x_2, fma(-omega_x, t163, omega_z * t161));
         let t248 = fma(0.055993206221893924, angular_acceleration_x_2, fma(-omega_y, t161, omega_x * t162));
@@ -1626,19 +1382,13 @@ const _: () = {
         let t255 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t174));
         let t256 = fma(angular_acceleration_y_3, t158, fma(angular_acceleration_x_2, t159, t255));
         let t257 = fma(-0.11303908576704362, t119, fma(angular_acceleration_z_4, t157, t256));
-        let t258 = fma(
-            0.19242619512316964,
-            angular_acceleration_y_3,
-            fma(0.01153987579044198, angular_acceleration_x_2, t151),
-        );
+        let t258 = fma(0.19242619512316964, angular_acceleration_y_3, fma(0.01153987579044198, angular_acceleration_x_2, t151));
         let t259 = fma(-0.11303908576704362, angular_acceleration_z_4, t258);
-        let reduced_force_x_3 =
-            fma(-0.7613599420768367, t259, fma(0.055993206221893924, angular_acceleration_z_4, -t246));
+        let reduced_force_x_3 = fma(-0.7613599420768367, t259, fma(0.055993206221893924, angular_acceleration_z_4, -t246));
         let reduced_force_x_3 = fma(0.26899095817779994, t177, reduced_force_x_3);
         let t260 = fma(0.013296641892764124, t259, fma(0.26899095817779994, angular_acceleration_z_4, t247));
         let t261 = fma(t177, -0.055993206221893924, t260);
-        let reduced_force_z_3 =
-            fma(-0.14106512955956807, t259, fma(0.26899095817779994, angular_acceleration_y_3, -t248));
+        let reduced_force_z_3 = fma(-0.14106512955956807, t259, fma(0.26899095817779994, angular_acceleration_y_3, -t248));
         let reduced_force_z_3 = fma(0.23954110582463117, t177, reduced_force_z_3);
         let reduced_moment_x_3 = fma(coupling_x0, t259, -fma(0.01153987579044198, t119, t251));
         let reduced_moment_x_3 = fma(coupling_x1, t177, reduced_moment_x_3);
@@ -1666,18 +1416,12 @@ const _: () = {
         let acceleration_y_3 = fma(-t97, angular_acceleration_z_6, acceleration_y_3);
         let acceleration_z_3 = fma(-t95, angular_acceleration_y_5, fma(-t92, angular_acceleration_x_4, t267));
         let acceleration_z_3 = fma(-t98, angular_acceleration_z_6, acceleration_z_3);
-        let t271 =
-            fma(-0.013296641892764124, acceleration_y_3, fma(-0.7613599420768367, acceleration_x_3, t259));
-        let t272 =
-            fma(coupling_x0, angular_acceleration_x_4, fma(-0.14106512955956807, acceleration_z_3, t271));
-        let t273 =
-            fma(coupling_z0, angular_acceleration_z_6, fma(coupling_y0, angular_acceleration_y_5, t272));
-        let t274 =
-            fma(0.055993206221893924, acceleration_y_3, fma(0.26899095817779994, acceleration_x_3, t177));
-        let t275 =
-            fma(coupling_x1, angular_acceleration_x_4, fma(0.23954110582463117, acceleration_z_3, t274));
-        let t276 =
-            fma(coupling_z1, angular_acceleration_z_6, fma(coupling_y1, angular_acceleration_y_5, t275));
+        let t271 = fma(-0.013296641892764124, acceleration_y_3, fma(-0.7613599420768367, acceleration_x_3, t259));
+        let t272 = fma(coupling_x0, angular_acceleration_x_4, fma(-0.14106512955956807, acceleration_z_3, t271));
+        let t273 = fma(coupling_z0, angular_acceleration_z_6, fma(coupling_y0, angular_acceleration_y_5, t272));
+        let t274 = fma(0.055993206221893924, acceleration_y_3, fma(0.26899095817779994, acceleration_x_3, t177));
+        let t275 = fma(coupling_x1, angular_acceleration_x_4, fma(0.23954110582463117, acceleration_z_3, t274));
+        let t276 = fma(coupling_z1, angular_acceleration_z_6, fma(coupling_y1, angular_acceleration_y_5, t275));
         let reduced_force_x_4 = fma(0.28213025911913614, omega_y, omega_z * -0.02659328378552825);
         let reduced_force_y_2 = fma(1.5227198841536733, omega_z, omega_x * -0.28213025911913614);
         let reduced_force_z_4 = fma(0.02659328378552825, omega_x, omega_y * -1.5227198841536733);
@@ -1709,16 +1453,11 @@ const _: () = {
         let acceleration_z_4 = fma(-t95, angular_acceleration_y_6, fma(-t92, angular_acceleration_x_5, t282));
         let acceleration_z_4 = fma(-t98, angular_acceleration_z_7, acceleration_z_4);
         let t286 = fma(0.7613599420768367, acceleration_x_4, -0.410018510905971);
-        let t287 =
-            fma(0.14106512955956807, acceleration_z_4, fma(0.013296641892764124, acceleration_y_4, t286));
-        let t288 =
-            fma(-coupling_y0, angular_acceleration_y_6, fma(-coupling_x0, angular_acceleration_x_5, t287));
-        let t289 =
-            fma(0.055993206221893924, acceleration_y_4, fma(0.26899095817779994, acceleration_x_4, t188));
-        let t290 =
-            fma(coupling_x1, angular_acceleration_x_5, fma(0.23954110582463117, acceleration_z_4, t289));
-        let t291 =
-            fma(coupling_z1, angular_acceleration_z_7, fma(coupling_y1, angular_acceleration_y_6, t290));
+        let t287 = fma(0.14106512955956807, acceleration_z_4, fma(0.013296641892764124, acceleration_y_4, t286));
+        let t288 = fma(-coupling_y0, angular_acceleration_y_6, fma(-coupling_x0, angular_acceleration_x_5, t287));
+        let t289 = fma(0.055993206221893924, acceleration_y_4, fma(0.26899095817779994, acceleration_x_4, t188));
+        let t290 = fma(coupling_x1, angular_acceleration_x_5, fma(0.23954110582463117, acceleration_z_4, t289));
+        let t291 = fma(coupling_z1, angular_acceleration_z_7, fma(coupling_y1, angular_acceleration_y_6, t290));
         let reduced_force_x_5 = fma(-0.47908221164926235, omega_y, omega_z * 0.11198641244378785);
         let reduced_force_y_3 = fma(-0.5379819163555999, omega_z, omega_x * 0.47908221164926235);
         let reduced_force_z_5 = fma(-0.11198641244378785, omega_x, omega_y * 0.5379819163555999);
@@ -1749,17 +1488,12 @@ const _: () = {
         let acceleration_y_5 = fma(-t97, angular_acceleration_z_8, acceleration_y_5);
         let acceleration_z_5 = fma(-t95, angular_acceleration_y_7, fma(-t92, angular_acceleration_x_6, t297));
         let acceleration_z_5 = fma(-t98, angular_acceleration_z_8, acceleration_z_5);
-        let t301 =
-            fma(-0.013296641892764124, acceleration_y_5, fma(-0.7613599420768367, acceleration_x_5, t199));
-        let t302 =
-            fma(coupling_x0, angular_acceleration_x_6, fma(-0.14106512955956807, acceleration_z_5, t301));
-        let t303 =
-            fma(coupling_z0, angular_acceleration_z_8, fma(coupling_y0, angular_acceleration_y_7, t302));
+        let t301 = fma(-0.013296641892764124, acceleration_y_5, fma(-0.7613599420768367, acceleration_x_5, t199));
+        let t302 = fma(coupling_x0, angular_acceleration_x_6, fma(-0.14106512955956807, acceleration_z_5, t301));
+        let t303 = fma(coupling_z0, angular_acceleration_z_8, fma(coupling_y0, angular_acceleration_y_7, t302));
         let t304 = fma(-0.26899095817779994, acceleration_x_5, -0.7093539824726789);
-        let t305 =
-            fma(-0.23954110582463117, acceleration_z_5, fma(-0.055993206221893924, acceleration_y_5, t304));
-        let t306 =
-            fma(-coupling_y1, angular_acceleration_y_7, fma(-coupling_x1, angular_acceleration_x_6, t305));
+        let t305 = fma(-0.23954110582463117, acceleration_z_5, fma(-0.055993206221893924, acceleration_y_5, t304));
+        let t306 = fma(-coupling_y1, angular_acceleration_y_7, fma(-coupling_x1, angular_acceleration_x_6, t305));
         let reduced_moment_y_6 = rate_xy - fma(omega_z, inertia_xx, -(t49 + angular_momentum_z));
         let reduced_moment_z_6 = rate_xz - fma(-omega_y, inertia_xx, t47 + angular_momentum_y);
         let t307 = fma(t206, -0.26899095817779994, fma(t205, 0.7613599420768367, t200 + t201));
@@ -1789,18 +1523,12 @@ const _: () = {
         let acceleration_y_6 = fma(-t97, angular_acceleration_z_9, acceleration_y_6);
         let acceleration_z_6 = fma(-t95, angular_acceleration_y_8, fma(-t92, angular_acceleration_x_7, t313));
         let acceleration_z_6 = fma(-t98, angular_acceleration_z_9, acceleration_z_6);
-        let t317 =
-            fma(-0.013296641892764124, acceleration_y_6, fma(-0.7613599420768367, acceleration_x_6, t205));
-        let t318 =
-            fma(coupling_x0, angular_acceleration_x_7, fma(-0.14106512955956807, acceleration_z_6, t317));
-        let t319 =
-            fma(coupling_z0, angular_acceleration_z_9, fma(coupling_y0, angular_acceleration_y_8, t318));
-        let t320 =
-            fma(0.055993206221893924, acceleration_y_6, fma(0.26899095817779994, acceleration_x_6, t206));
-        let t321 =
-            fma(coupling_x1, angular_acceleration_x_7, fma(0.23954110582463117, acceleration_z_6, t320));
-        let t322 =
-            fma(coupling_z1, angular_acceleration_z_9, fma(coupling_y1, angular_acceleration_y_8, t321));
+        let t317 = fma(-0.013296641892764124, acceleration_y_6, fma(-0.7613599420768367, acceleration_x_6, t205));
+        let t318 = fma(coupling_x0, angular_acceleration_x_7, fma(-0.14106512955956807, acceleration_z_6, t317));
+        let t319 = fma(coupling_z0, angular_acceleration_z_9, fma(coupling_y0, angular_acceleration_y_8, t318));
+        let t320 = fma(0.055993206221893924, acceleration_y_6, fma(0.26899095817779994, acceleration_x_6, t206));
+        let t321 = fma(coupling_x1, angular_acceleration_x_7, fma(0.23954110582463117, acceleration_z_6, t320));
+        let t322 = fma(coupling_z1, angular_acceleration_z_9, fma(coupling_y1, angular_acceleration_y_8, t321));
         let reduced_moment_x_7 = rate_xy - fma(-omega_z, inertia_yy, t50 + angular_momentum_z);
         let reduced_moment_z_7 = rate_yz - fma(omega_x, inertia_yy, -(t45 + angular_momentum_x));
         let reduced_force_x_6 = fma(0.26899095817779994, t211, fma(-0.7613599420768367, t210, t41 - t44));
@@ -1830,18 +1558,12 @@ const _: () = {
         let acceleration_y_7 = fma(-t97, angular_acceleration_z_10, acceleration_y_7);
         let acceleration_z_7 = fma(-t95, angular_acceleration_y_9, fma(-t92, angular_acceleration_x_8, t329));
         let acceleration_z_7 = fma(-t98, angular_acceleration_z_10, acceleration_z_7);
-        let t333 =
-            fma(-0.013296641892764124, acceleration_y_7, fma(-0.7613599420768367, acceleration_x_7, t210));
-        let t334 =
-            fma(coupling_x0, angular_acceleration_x_8, fma(-0.14106512955956807, acceleration_z_7, t333));
-        let t335 =
-            fma(coupling_z0, angular_acceleration_z_10, fma(coupling_y0, angular_acceleration_y_9, t334));
-        let t336 =
-            fma(0.055993206221893924, acceleration_y_7, fma(0.26899095817779994, acceleration_x_7, t211));
-        let t337 =
-            fma(coupling_x1, angular_acceleration_x_8, fma(0.23954110582463117, acceleration_z_7, t336));
-        let t338 =
-            fma(coupling_z1, angular_acceleration_z_10, fma(coupling_y1, angular_acceleration_y_9, t337));
+        let t333 = fma(-0.013296641892764124, acceleration_y_7, fma(-0.7613599420768367, acceleration_x_7, t210));
+        let t334 = fma(coupling_x0, angular_acceleration_x_8, fma(-0.14106512955956807, acceleration_z_7, t333));
+        let t335 = fma(coupling_z0, angular_acceleration_z_10, fma(coupling_y0, angular_acceleration_y_9, t334));
+        let t336 = fma(0.055993206221893924, acceleration_y_7, fma(0.26899095817779994, acceleration_x_7, t211));
+        let t337 = fma(coupling_x1, angular_acceleration_x_8, fma(0.23954110582463117, acceleration_z_7, t336));
+        let t338 = fma(coupling_z1, angular_acceleration_z_10, fma(coupling_y1, angular_acceleration_y_9, t337));
         let reduced_moment_x_8 = rate_xz - fma(omega_y, inertia_zz, -(t48 + angular_momentum_y));
         let reduced_moment_y_8 = rate_yz - fma(-omega_x, inertia_zz, t46 + angular_momentum_x);
         let reduced_force_x_7 = fma(0.26899095817779994, t214, fma(-0.7613599420768367, t213, t38 + t43));
@@ -1865,27 +1587,18 @@ const _: () = {
         let angular_acceleration_y_10 = fma(angular_acceleration_z_2, t348, angular_acceleration_y_10);
         let angular_acceleration_z_11 = fma(angular_acceleration_z_2, t347, angular_acceleration_z_3 * t346);
         let angular_acceleration_z_11 = fma(angular_acceleration_z, t348, angular_acceleration_z_11);
-        let acceleration_x_8 =
-            fma(-t93, angular_acceleration_y_10, fma(-t89, angular_acceleration_x_9, t341));
+        let acceleration_x_8 = fma(-t93, angular_acceleration_y_10, fma(-t89, angular_acceleration_x_9, t341));
         let acceleration_x_8 = fma(-t96, angular_acceleration_z_11, acceleration_x_8);
-        let acceleration_y_8 =
-            fma(-t94, angular_acceleration_y_10, fma(-t90, angular_acceleration_x_9, t343));
+        let acceleration_y_8 = fma(-t94, angular_acceleration_y_10, fma(-t90, angular_acceleration_x_9, t343));
         let acceleration_y_8 = fma(-t97, angular_acceleration_z_11, acceleration_y_8);
-        let acceleration_z_8 =
-            fma(-t95, angular_acceleration_y_10, fma(-t92, angular_acceleration_x_9, t345));
+        let acceleration_z_8 = fma(-t95, angular_acceleration_y_10, fma(-t92, angular_acceleration_x_9, t345));
         let acceleration_z_8 = fma(-t98, angular_acceleration_z_11, acceleration_z_8);
-        let t349 =
-            fma(-0.013296641892764124, acceleration_y_8, fma(-0.7613599420768367, acceleration_x_8, t213));
-        let t350 =
-            fma(coupling_x0, angular_acceleration_x_9, fma(-0.14106512955956807, acceleration_z_8, t349));
-        let t351 =
-            fma(coupling_z0, angular_acceleration_z_11, fma(coupling_y0, angular_acceleration_y_10, t350));
-        let t352 =
-            fma(0.055993206221893924, acceleration_y_8, fma(0.26899095817779994, acceleration_x_8, t214));
-        let t353 =
-            fma(coupling_x1, angular_acceleration_x_9, fma(0.23954110582463117, acceleration_z_8, t352));
-        let t354 =
-            fma(coupling_z1, angular_acceleration_z_11, fma(coupling_y1, angular_acceleration_y_10, t353));
+        let t349 = fma(-0.013296641892764124, acceleration_y_8, fma(-0.7613599420768367, acceleration_x_8, t213));
+        let t350 = fma(coupling_x0, angular_acceleration_x_9, fma(-0.14106512955956807, acceleration_z_8, t349));
+        let t351 = fma(coupling_z0, angular_acceleration_z_11, fma(coupling_y0, angular_acceleration_y_10, t350));
+        let t352 = fma(0.055993206221893924, acceleration_y_8, fma(0.26899095817779994, acceleration_x_8, t214));
+        let t353 = fma(coupling_x1, angular_acceleration_x_9, fma(0.23954110582463117, acceleration_z_8, t352));
+        let t354 = fma(coupling_z1, angular_acceleration_z_11, fma(coupling_y1, angular_acceleration_y_10, t353));
         let t355 = fma(t93, angular_acceleration_y_2, t89 * angular_acceleration_x);
         let t356 = fma(t96, angular_acceleration_z_3, t355);
         let t357 = fma(t93, angular_acceleration_y, t89 * angular_acceleration_y_2);
@@ -1929,16 +1642,14 @@ const _: () = {
         let t386 = fma(coupling_y0, angular_acceleration_y_2, fma(coupling_x0, angular_acceleration_x, t385));
         let t387 = fma(-0.055993206221893924, t366, -0.26899095817779994 * t356);
         let t388 = fma(coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, t376, t387));
-        let t389 =
-            fma(coupling_z1, angular_acceleration_z_3, fma(coupling_y1, angular_acceleration_y_2, t388));
+        let t389 = fma(coupling_z1, angular_acceleration_z_3, fma(coupling_y1, angular_acceleration_y_2, t388));
         let t390 = fma(0.14106512955956807, t378, fma(0.013296641892764124, t368, 0.7613599420768367 * t358));
         let t391 = fma(coupling_y0, angular_acceleration_y, fma(coupling_x0, angular_acceleration_y_2, t390));
         let t392 = fma(-0.055993206221893924, t368, -0.26899095817779994 * t358);
         let t393 = fma(coupling_x1, angular_acceleration_y_2, fma(-0.23954110582463117, t378, t392));
         let t394 = fma(coupling_z1, angular_acceleration_z_2, fma(coupling_y1, angular_acceleration_y, t393));
         let t395 = fma(0.14106512955956807, t380, fma(0.013296641892764124, t370, 0.7613599420768367 * t360));
-        let t396 =
-            fma(coupling_y0, angular_acceleration_z_2, fma(coupling_x0, angular_acceleration_z_3, t395));
+        let t396 = fma(coupling_y0, angular_acceleration_z_2, fma(coupling_x0, angular_acceleration_z_3, t395));
         let t397 = fma(-0.055993206221893924, t370, -0.26899095817779994 * t360);
         let t398 = fma(coupling_x1, angular_acceleration_z_3, fma(-0.23954110582463117, t380, t397));
         let t399 = fma(coupling_z1, angular_acceleration_z, fma(coupling_y1, angular_acceleration_z_2, t398));
@@ -1957,8 +1668,7 @@ const _: () = {
         let acceleration_x_12 = fma(t96, t411, fma(t93, t409, fma(t89, t407, 0.10475159730564543)));
         let acceleration_y_12 = fma(t97, t411, fma(t94, t409, fma(t90, t407, 0.002043075429934153)));
         let acceleration_z_12 = fma(t98, t411, fma(t95, t409, fma(t92, t407, 0.020198584797080615)));
-        let t412 =
-            fma(0.013296641892764124, acceleration_y_12, fma(0.7613599420768367, acceleration_x_12, 1.0));
+        let t412 = fma(0.013296641892764124, acceleration_y_12, fma(0.7613599420768367, acceleration_x_12, 1.0));
         let t413 = fma(coupling_x0, t407, fma(0.14106512955956807, acceleration_z_12, t412));
         let t414 = fma(0.055993206221893924, acceleration_y_12, 0.26899095817779994 * acceleration_x_12);
         let t415 = fma(coupling_x1, t407, -fma(0.23954110582463117, acceleration_z_12, t414));
@@ -1979,175 +1689,85 @@ const _: () = {
         let acceleration_z_13 = fma(t98, t427, fma(t95, t425, fma(t92, t423, -0.03124596222445481)));
         let t428 = fma(-0.013296641892764124, acceleration_y_13, -0.7613599420768367 * acceleration_x_13);
         let t429 = fma(coupling_x0, t423, -fma(-0.14106512955956807, acceleration_z_13, t428));
-        let t430 =
-            fma(-0.055993206221893924, acceleration_y_13, fma(-0.26899095817779994, acceleration_x_13, 1.0));
+        let t430 = fma(-0.055993206221893924, acceleration_y_13, fma(-0.26899095817779994, acceleration_x_13, 1.0));
         let t431 = fma(coupling_x1, t423, fma(-0.23954110582463117, acceleration_z_13, t430));
 
         (
             [
-                acceleration_x,
-                acceleration_y,
-                acceleration_z,
-                angular_acceleration_x_2,
-                angular_acceleration_y_3,
-                angular_acceleration_z_4,
-                t119,
-                t122,
+                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x_2,
+                angular_acceleration_y_3, angular_acceleration_z_4, t119, t122,
             ],
             [
                 [
-                    acceleration_x_2,
-                    acceleration_y_2,
-                    acceleration_z_2,
-                    angular_acceleration_x_3,
-                    angular_acceleration_y_4,
-                    angular_acceleration_z_5,
-                    -t242,
-                    -t245,
+                    acceleration_x_2, acceleration_y_2, acceleration_z_2, angular_acceleration_x_3,
+                    angular_acceleration_y_4, angular_acceleration_z_5, -t242, -t245,
                 ],
                 [
-                    acceleration_x_3,
-                    acceleration_y_3,
-                    acceleration_z_3,
-                    angular_acceleration_x_4,
-                    angular_acceleration_y_5,
-                    angular_acceleration_z_6,
-                    -t273,
-                    -t276,
+                    acceleration_x_3, acceleration_y_3, acceleration_z_3, angular_acceleration_x_4,
+                    angular_acceleration_y_5, angular_acceleration_z_6, -t273, -t276,
                 ],
             ],
             [
                 [
-                    acceleration_x_4,
-                    acceleration_y_4,
-                    acceleration_z_4,
-                    angular_acceleration_x_5,
-                    angular_acceleration_y_6,
-                    angular_acceleration_z_7,
-                    fma(-coupling_z0, angular_acceleration_z_7, t288),
-                    -t291,
+                    acceleration_x_4, acceleration_y_4, acceleration_z_4, angular_acceleration_x_5,
+                    angular_acceleration_y_6, angular_acceleration_z_7,
+                    fma(-coupling_z0, angular_acceleration_z_7, t288), -t291,
                 ],
                 [
-                    acceleration_x_5,
-                    acceleration_y_5,
-                    acceleration_z_5,
-                    angular_acceleration_x_6,
-                    angular_acceleration_y_7,
-                    angular_acceleration_z_8,
-                    -t303,
+                    acceleration_x_5, acceleration_y_5, acceleration_z_5, angular_acceleration_x_6,
+                    angular_acceleration_y_7, angular_acceleration_z_8, -t303,
                     fma(-coupling_z1, angular_acceleration_z_8, t306),
                 ],
             ],
             [
                 [
-                    acceleration_x_6,
-                    acceleration_y_6,
-                    acceleration_z_6,
-                    angular_acceleration_x_7,
-                    angular_acceleration_y_8,
-                    angular_acceleration_z_9,
-                    -t319,
-                    -t322,
+                    acceleration_x_6, acceleration_y_6, acceleration_z_6, angular_acceleration_x_7,
+                    angular_acceleration_y_8, angular_acceleration_z_9, -t319, -t322,
                 ],
                 [
-                    acceleration_x_7,
-                    acceleration_y_7,
-                    acceleration_z_7,
-                    angular_acceleration_x_8,
-                    angular_acceleration_y_9,
-                    angular_acceleration_z_10,
-                    -t335,
-                    -t338,
+                    acceleration_x_7, acceleration_y_7, acceleration_z_7, angular_acceleration_x_8,
+                    angular_acceleration_y_9, angular_acceleration_z_10, -t335, -t338,
                 ],
                 [
-                    acceleration_x_8,
-                    acceleration_y_8,
-                    acceleration_z_8,
-                    angular_acceleration_x_9,
-                    angular_acceleration_y_10,
-                    angular_acceleration_z_11,
-                    -t351,
-                    -t354,
+                    acceleration_x_8, acceleration_y_8, acceleration_z_8, angular_acceleration_x_9,
+                    angular_acceleration_y_10, angular_acceleration_z_11, -t351, -t354,
                 ],
             ],
             [
                 [
-                    acceleration_x_9,
-                    acceleration_y_9,
-                    acceleration_z_9,
-                    -t356,
-                    -t358,
-                    -t360,
+                    acceleration_x_9, acceleration_y_9, acceleration_z_9, -t356, -t358, -t360,
                     fma(coupling_z0, t360, fma(coupling_y0, t358, t362)),
                     fma(coupling_z1, t360, fma(coupling_y1, t358, t364)),
                 ],
                 [
-                    acceleration_x_10,
-                    acceleration_y_10,
-                    acceleration_z_10,
-                    -t366,
-                    -t368,
-                    -t370,
+                    acceleration_x_10, acceleration_y_10, acceleration_z_10, -t366, -t368, -t370,
                     fma(coupling_z0, t370, fma(coupling_y0, t368, t372)),
                     fma(coupling_z1, t370, fma(coupling_y1, t368, t374)),
                 ],
                 [
-                    acceleration_x_11,
-                    acceleration_y_11,
-                    acceleration_z_11,
-                    -t376,
-                    -t378,
-                    -t380,
+                    acceleration_x_11, acceleration_y_11, acceleration_z_11, -t376, -t378, -t380,
                     fma(coupling_z0, t380, fma(coupling_y0, t378, t382)),
                     fma(coupling_z1, t380, fma(coupling_y1, t378, t384)),
                 ],
                 [
-                    -t356,
-                    -t366,
-                    -t376,
-                    angular_acceleration_x,
-                    angular_acceleration_y_2,
-                    angular_acceleration_z_3,
-                    -fma(coupling_z0, angular_acceleration_z_3, t386),
-                    -t389,
+                    -t356, -t366, -t376, angular_acceleration_x, angular_acceleration_y_2,
+                    angular_acceleration_z_3, -fma(coupling_z0, angular_acceleration_z_3, t386), -t389,
                 ],
                 [
-                    -t358,
-                    -t368,
-                    -t378,
-                    angular_acceleration_y_2,
-                    angular_acceleration_y,
-                    angular_acceleration_z_2,
-                    -fma(coupling_z0, angular_acceleration_z_2, t391),
-                    -t394,
+                    -t358, -t368, -t378, angular_acceleration_y_2, angular_acceleration_y,
+                    angular_acceleration_z_2, -fma(coupling_z0, angular_acceleration_z_2, t391), -t394,
                 ],
                 [
-                    -t360,
-                    -t370,
-                    -t380,
-                    angular_acceleration_z_3,
-                    angular_acceleration_z_2,
-                    angular_acceleration_z,
-                    -fma(coupling_z0, angular_acceleration_z, t396),
-                    -t399,
+                    -t360, -t370, -t380, angular_acceleration_z_3, angular_acceleration_z_2,
+                    angular_acceleration_z, -fma(coupling_z0, angular_acceleration_z, t396), -t399,
                 ],
                 [
-                    acceleration_x_12,
-                    acceleration_y_12,
-                    acceleration_z_12,
-                    -t407,
-                    -t409,
-                    -t411,
+                    acceleration_x_12, acceleration_y_12, acceleration_z_12, -t407, -t409, -t411,
                     fma(coupling_z0, t411, fma(coupling_y0, t409, t413)),
                     fma(coupling_z1, t411, fma(coupling_y1, t409, t415)),
                 ],
                 [
-                    acceleration_x_13,
-                    acceleration_y_13,
-                    acceleration_z_13,
-                    -t423,
-                    -t425,
-                    -t427,
+                    acceleration_x_13, acceleration_y_13, acceleration_z_13, -t423, -t425, -t427,
                     fma(coupling_z0, t427, fma(coupling_y0, t425, t429)),
                     fma(coupling_z1, t427, fma(coupling_y1, t425, t431)),
                 ],
@@ -2171,16 +1791,7 @@ const _: () = {
         let [q0, q1] = *q;
         let [omega_x, omega_y, omega_z] = *omega;
         let [q_dot0, q_dot1] = *q_dot;
-        let [
-            acceleration_x,
-            acceleration_y,
-            acceleration_z,
-            angular_acceleration_x,
-            angular_acceleration_y,
-            angular_acceleration_z,
-            modal_acceleration0,
-            modal_acceleration1,
-        ] = *acceleration;
+        let [acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x, angular_acceleration_y, angular_acceleration_z, modal_acceleration0, modal_acceleration1] = *acceleration;
         let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
 
         // Deformed moments T_μ + q_ν T_νμ (48 operations: 6 multiply-add, 20 multiply, 22 add)
@@ -2225,8 +1836,7 @@ const _: () = {
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
-        let first_moment_y =
-            fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
@@ -2312,15 +1922,13 @@ const _: () = {
         let t70 = omega_x * omega_z;
         let t71 = omega_y * omega_z;
         let modal_quadratic0 = fma(moment_zz0, t68, fma(-moment_trace0, t66, moment_yy0 * t67));
-        let modal_quadratic0 =
-            fma(moment_yz0, t71, fma(moment_xz0, t70, fma(moment_xy0, t69, modal_quadratic0)));
+        let modal_quadratic0 = fma(moment_yz0, t71, fma(moment_xz0, t70, fma(moment_xy0, t69, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
         let modal_quadratic0 = fma(t59, whirl_z0, fma(t58, whirl_y0, fma(t57, whirl_x0, modal_quadratic0)));
         let modal_quadratic1 = fma(moment_zz1, t68, fma(-moment_trace1, t66, moment_yy1 * t67));
-        let modal_quadratic1 =
-            fma(moment_yz1, t71, fma(moment_xz1, t70, fma(moment_xy1, t69, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_yz1, t71, fma(moment_xz1, t70, fma(moment_xy1, t69, modal_quadratic1)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
@@ -2330,26 +1938,14 @@ const _: () = {
         let t72 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
         let t73 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
         let t74 = fma(7.95389213843747, acceleration_x, fma(-omega_z, t43, omega_y * t44) - force_x);
-        let t75 =
-            fma(-first_moment_y, angular_acceleration_z, fma(first_moment_z, angular_acceleration_y, t74));
-        let t76 =
-            fma(0.26899095817779994, modal_acceleration1, fma(-0.7613599420768367, modal_acceleration0, t75));
+        let t75 = fma(-first_moment_y, angular_acceleration_z, fma(first_moment_z, angular_acceleration_y, t74));
+        let t76 = fma(0.26899095817779994, modal_acceleration1, fma(-0.7613599420768367, modal_acceleration0, t75));
         let t77 = fma(7.95389213843747, acceleration_y, fma(-omega_x, t44, omega_z * t42) - force_y);
-        let t78 =
-            fma(first_moment_x, angular_acceleration_z, fma(-first_moment_z, angular_acceleration_x, t77));
-        let t79 = fma(
-            0.055993206221893924,
-            modal_acceleration1,
-            fma(-0.013296641892764124, modal_acceleration0, t78),
-        );
+        let t78 = fma(first_moment_x, angular_acceleration_z, fma(-first_moment_z, angular_acceleration_x, t77));
+        let t79 = fma(0.055993206221893924, modal_acceleration1, fma(-0.013296641892764124, modal_acceleration0, t78));
         let t80 = fma(7.95389213843747, acceleration_z, fma(-omega_y, t42, omega_x * t43) - force_z);
-        let t81 =
-            fma(-first_moment_x, angular_acceleration_y, fma(first_moment_y, angular_acceleration_x, t80));
-        let t82 = fma(
-            0.23954110582463117,
-            modal_acceleration1,
-            fma(-0.14106512955956807, modal_acceleration0, t81),
-        );
+        let t81 = fma(-first_moment_x, angular_acceleration_y, fma(first_moment_y, angular_acceleration_x, t80));
+        let t82 = fma(0.23954110582463117, modal_acceleration1, fma(-0.14106512955956807, modal_acceleration0, t81));
         let t83 = fma(first_moment_y, acceleration_z, fma(-first_moment_z, acceleration_y, t60 - moment_x));
         let t84 = fma(inertia_xy, angular_acceleration_y, fma(inertia_xx, angular_acceleration_x, t83));
         let t85 = fma(coupling_x0, modal_acceleration0, fma(inertia_xz, angular_acceleration_z, t84));
@@ -2391,8 +1987,7 @@ const _: () = {
         let t119 = fma(0.11303908576704362, q_dot1, fma(omega_z, t105, fma(omega_y, t106, omega_x * t107)));
         let t120 = fma(-omega_z, t115, fma(-omega_y, t114, t57 * (t112 + t113)));
         let t121 = fma(-omega_z, t116, fma(-omega_x, t114, t58 * (q_dot0 - t112)));
-        let t122 = fma(-omega_y, t117, omega_x * t118)
-            + fma(t59, q_dot0 - t113, -fma(omega_y, t116, omega_x * t115));
+        let t122 = fma(-omega_y, t117, omega_x * t118) + fma(t59, q_dot0 - t113, -fma(omega_y, t116, omega_x * t115));
         let t123 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t67, -t66));
         let t124 = fma(-0.33402903106409804, t70, fma(0.12985232981165795, t69, t123));
         let t125 = fma(0.08566760407982914, t69, fma(-0.04431370462910027, t68, 0.00639232183790743 * t67));
@@ -2410,11 +2005,7 @@ const _: () = {
         let t137 = fma(angular_acceleration_y, t106, fma(angular_acceleration_x, t107, t136));
         let t138 = fma(0.11303908576704362, modal_acceleration1, fma(angular_acceleration_z, t105, t137));
         let t139 = 0.9351597374893034 + t126;
-        let t140 = fma(
-            -0.19242619512316964,
-            angular_acceleration_y,
-            fma(-0.01153987579044198, angular_acceleration_x, t139),
-        );
+        let t140 = fma(-0.19242619512316964, angular_acceleration_y, fma(-0.01153987579044198, angular_acceleration_x, t139));
         let t141 = q1 + t22;
         let t142 = t11 + (t12 + t24);
         let t143 = t13 + (t14 + t26);
@@ -2437,8 +2028,7 @@ const _: () = {
         let t160 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t146, fma(omega_y, t147, omega_x * t148)));
         let t161 = fma(-omega_z, t156, fma(-omega_y, t155, t57 * (t153 + t154)));
         let t162 = fma(-omega_z, t157, fma(-omega_x, t155, t58 * (q_dot1 - t153)));
-        let t163 = fma(-omega_y, t158, omega_x * t159)
-            + fma(t59, q_dot1 - t154, -fma(omega_y, t157, omega_x * t156));
+        let t163 = fma(-omega_y, t158, omega_x * t159) + fma(t59, q_dot1 - t154, -fma(omega_y, t157, omega_x * t156));
         let t164 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t67, -t66));
         let t165 = fma(0.41141170797873267, t70, fma(0.031030589707457527, t69, t164));
         let t166 = fma(0.23954110582463117, angular_acceleration_y, fma(-omega_z, t151, omega_y * t152));
@@ -2453,11 +2043,7 @@ const _: () = {
         let t175 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t163));
         let t176 = fma(angular_acceleration_y, t147, fma(angular_acceleration_x, t148, t175));
         let t177 = fma(-0.11303908576704362, modal_acceleration0, fma(angular_acceleration_z, t146, t176));
-        let t178 = fma(
-            0.19242619512316964,
-            angular_acceleration_y,
-            fma(0.01153987579044198, angular_acceleration_x, t139),
-        );
+        let t178 = fma(0.19242619512316964, angular_acceleration_y, fma(0.01153987579044198, angular_acceleration_x, t139));
         let t179 = fma(0.02659328378552825, omega_z, omega_y * -0.28213025911913614);
         let t180 = fma(0.28213025911913614, omega_x, omega_z * -1.5227198841536733);
         let t181 = fma(1.5227198841536733, omega_y, omega_x * -0.02659328378552825);
@@ -2469,10 +2055,8 @@ const _: () = {
         let t187 = omega_x * moment_xz0;
         let t188 = omega_y * moment_yz0;
         let t189 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t57, t182, -t183) - t184);
-        let t190 = fma(-omega_x, coupling_z0, omega_z * coupling_x0)
-            + (fma(t58, moment_trace0 - moment_yy0, -t185) - t186);
-        let t191 = fma(-omega_y, coupling_x0, omega_x * coupling_y0)
-            + fma(t59, moment_trace0 - moment_zz0, -(t187 + t188));
+        let t190 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t58, moment_trace0 - moment_yy0, -t185) - t186);
+        let t191 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t59, moment_trace0 - moment_zz0, -(t187 + t188));
         let t192 = fma(0.11303908576704362, t59, fma(-0.19242619512316964, t58, -0.01153987579044198 * t57));
         let t193 = fma(-0.11198641244378785, omega_z, omega_y * 0.47908221164926235);
         let t194 = fma(-0.47908221164926235, omega_x, omega_z * 0.5379819163555999);
@@ -2485,10 +2069,8 @@ const _: () = {
         let t201 = omega_x * moment_xz1;
         let t202 = omega_y * moment_yz1;
         let t203 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t57, t196, -t197) - t198);
-        let t204 = fma(-omega_x, coupling_z1, omega_z * coupling_x1)
-            + (fma(t58, moment_trace1 - moment_yy1, -t199) - t200);
-        let t205 = fma(-omega_y, coupling_x1, omega_x * coupling_y1)
-            + fma(t59, moment_trace1 - moment_zz1, -(t201 + t202));
+        let t204 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t58, moment_trace1 - moment_yy1, -t199) - t200);
+        let t205 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t59, moment_trace1 - moment_zz1, -(t201 + t202));
         let t206 = fma(-0.11303908576704362, t59, fma(0.19242619512316964, t58, 0.01153987579044198 * t57));
         let t207 = omega_y * first_moment_y;
         let t208 = omega_z * first_moment_z;
@@ -2512,14 +2094,9 @@ const _: () = {
 
         (
             [
-                t76,
-                t79,
-                t82,
-                fma(coupling_x1, modal_acceleration1, t85),
-                fma(coupling_y1, modal_acceleration1, t88),
-                fma(coupling_z1, modal_acceleration1, t91),
-                t95,
-                t99,
+                t76, t79, t82, fma(coupling_x1, modal_acceleration1, t85),
+                fma(coupling_y1, modal_acceleration1, t88), fma(coupling_z1, modal_acceleration1, t91),
+                t95, t99,
             ],
             [
                 [
@@ -2527,8 +2104,7 @@ const _: () = {
                     fma(-0.7613599420768367, angular_acceleration_z, t128),
                     fma(0.7613599420768367, angular_acceleration_y, t129),
                     fma(-0.01153987579044198, modal_acceleration1, t132),
-                    fma(-0.19242619512316964, modal_acceleration1, t135),
-                    t138,
+                    fma(-0.19242619512316964, modal_acceleration1, t135), t138,
                     41.0018510905971 + fma(-0.4323361376218965, t71, t124),
                     fma(0.11303908576704362, angular_acceleration_z, t140),
                 ],
@@ -2537,8 +2113,7 @@ const _: () = {
                     fma(0.26899095817779994, angular_acceleration_z, t167),
                     fma(-0.26899095817779994, angular_acceleration_y, t168),
                     fma(0.01153987579044198, modal_acceleration0, t171),
-                    fma(0.19242619512316964, modal_acceleration0, t174),
-                    t177,
+                    fma(0.19242619512316964, modal_acceleration0, t174), t177,
                     fma(-0.11303908576704362, angular_acceleration_z, t178),
                     70.93539824726788 + fma(0.13572545476093628, t71, t165),
                 ],
@@ -2549,12 +2124,7 @@ const _: () = {
             ],
             [
                 [
-                    t207 + t208,
-                    -(t40 + t44),
-                    t43 - t39,
-                    fma(2.0, t54, t209 - t210),
-                    t211,
-                    t212,
+                    t207 + t208, -(t40 + t44), t43 - t39, fma(2.0, t54, t209 - t210), t211, t212,
                     fma(2.0, whirl_x0, t184 + fma(-t182, t213, t183)),
                     fma(2.0, whirl_x1, t198 + fma(-t196, t213, t197)),
                 ],
@@ -2563,84 +2133,36 @@ const _: () = {
             ],
             [
                 [
-                    7.95389213843747,
-                    0.0,
-                    0.0,
-                    0.0,
-                    first_moment_z,
-                    -first_moment_y,
-                    -0.7613599420768367,
+                    7.95389213843747, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.7613599420768367,
                     0.26899095817779994,
                 ],
                 [
-                    0.0,
-                    7.95389213843747,
-                    0.0,
-                    -first_moment_z,
-                    0.0,
-                    first_moment_x,
-                    -0.013296641892764124,
+                    0.0, 7.95389213843747, 0.0, -first_moment_z, 0.0, first_moment_x, -0.013296641892764124,
                     0.055993206221893924,
                 ],
                 [
-                    0.0,
-                    0.0,
-                    7.95389213843747,
-                    first_moment_y,
-                    -first_moment_x,
-                    0.0,
-                    -0.14106512955956807,
+                    0.0, 0.0, 7.95389213843747, first_moment_y, -first_moment_x, 0.0, -0.14106512955956807,
                     0.23954110582463117,
                 ],
                 [
-                    0.0,
-                    -first_moment_z,
-                    first_moment_y,
-                    inertia_xx,
-                    inertia_xy,
-                    inertia_xz,
-                    coupling_x0,
+                    0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                     coupling_x1,
                 ],
                 [
-                    first_moment_z,
-                    0.0,
-                    -first_moment_x,
-                    inertia_xy,
-                    inertia_yy,
-                    inertia_yz,
-                    coupling_y0,
+                    first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                     coupling_y1,
                 ],
                 [
-                    -first_moment_y,
-                    first_moment_x,
-                    0.0,
-                    inertia_xz,
-                    inertia_yz,
-                    inertia_zz,
-                    coupling_z0,
+                    -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                     coupling_z1,
                 ],
                 [
-                    -0.7613599420768367,
-                    -0.013296641892764124,
-                    -0.14106512955956807,
-                    coupling_x0,
-                    coupling_y0,
-                    coupling_z0,
-                    1.0,
-                    0.0,
+                    -0.7613599420768367, -0.013296641892764124, -0.14106512955956807, coupling_x0,
+                    coupling_y0, coupling_z0, 1.0, 0.0,
                 ],
                 [
-                    0.26899095817779994,
-                    0.055993206221893924,
-                    0.23954110582463117,
-                    coupling_x1,
-                    coupling_y1,
-                    coupling_z1,
-                    0.0,
-                    1.0,
+                    0.26899095817779994, 0.055993206221893924, 0.23954110582463117, coupling_x1, coupling_y1,
+                    coupling_z1, 0.0, 1.0,
                 ],
             ],
         )
@@ -2649,7 +2171,10 @@ const _: () = {
     #[automatically_derived]
     impl ::ffrf::FlexibleBody<2, 8, f64> for JacobianBody {
         #[inline]
-        fn mass_matrix(&self, q: &::ffrf::nalgebra::SVector<f64, 2>) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
+        fn mass_matrix(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
             support::matrix(mass_matrix(support::array(q)))
         }
 
@@ -2660,11 +2185,7 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(quadratic_velocity(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-            ))
+            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
         }
 
         #[inline]
@@ -2675,12 +2196,7 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(forward_dynamics(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-                support::array(force),
-            ))
+            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
         }
 
         #[inline]
@@ -2691,12 +2207,7 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-                support::array(force),
-            );
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
             ::ffrf::EquationsOfMotion {
                 mass_matrix: support::matrix(mass_matrix),
                 quadratic_velocity: support::vector(quadratic_velocity),
@@ -2712,16 +2223,14 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> f64 {
-            kinetic_energy(
-                support::array(q),
-                support::array(velocity),
-                support::array(omega),
-                support::array(q_dot),
-            )
+            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
         }
 
         #[inline]
-        fn elastic_energy(&self, q: &::ffrf::nalgebra::SVector<f64, 2>) -> f64 {
+        fn elastic_energy(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> f64 {
             elastic_energy(support::array(q))
         }
 
@@ -2733,12 +2242,7 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(
-                support::array(q),
-                support::array(velocity),
-                support::array(omega),
-                support::array(q_dot),
-            ))
+            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
         }
 
         #[inline]
@@ -2749,12 +2253,7 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(
-                support::array(q),
-                support::array(velocity),
-                support::array(omega),
-                support::array(q_dot),
-            ))
+            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
         }
 
         #[inline]
@@ -2776,19 +2275,25 @@ const _: () = {
         }
 
         #[inline]
-        fn stiffness_matrix(&self) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
+        fn stiffness_matrix(
+            &self,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
             support::matrix(stiffness_matrix())
         }
 
         #[inline]
-        fn damping_matrix(&self) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
+        fn damping_matrix(
+            &self,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
             support::matrix(damping_matrix())
         }
 
         #[inline]
         fn markers(&self) -> &'static [(&'static str, ::ffrf::Marker<2, f64>)] {
-            const MARKERS: &[(&str, ::ffrf::Marker<2, f64>)] =
-                &[("tip", JacobianBody::TIP), ("root", JacobianBody::ROOT)];
+            const MARKERS: &[(&str, ::ffrf::Marker<2, f64>)] = &[
+                ("tip", JacobianBody::TIP),
+                ("root", JacobianBody::ROOT),
+            ];
             MARKERS
         }
     }
@@ -2803,12 +2308,7 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::AccelerationJacobian<2, 8, f64> {
-            let (acceleration, coordinates, rates, angular_velocity, force) = acceleration_jacobian(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-                support::array(force),
-            );
+            let (acceleration, coordinates, rates, angular_velocity, force) = acceleration_jacobian(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
             ::ffrf::AccelerationJacobian {
                 acceleration: support::vector(acceleration),
                 coordinates: support::matrix(coordinates),
@@ -2827,13 +2327,7 @@ const _: () = {
             acceleration: &::ffrf::nalgebra::SVector<f64, 8>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::ResidualJacobian<2, 8, f64> {
-            let (residual, coordinates, rates, angular_velocity, acceleration) = residual_jacobian(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-                support::array(acceleration),
-                support::array(force),
-            );
+            let (residual, coordinates, rates, angular_velocity, acceleration) = residual_jacobian(support::array(q), support::array(omega), support::array(q_dot), support::array(acceleration), support::array(force));
             ::ffrf::ResidualJacobian {
                 residual: support::vector(residual),
                 coordinates: support::matrix(coordinates),

@@ -1,0 +1,126 @@
+//! The macro at work: models, fewer modes, single precision, invariants at run time; three doors, one code.
+
+#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
+mod naive_body;
+// Each test uses its part.
+#[allow(dead_code)]
+#[path = "../ffrf-codegen/tests/common/random_body.rs"]
+mod random_body;
+#[path = "golden/witness.rs"]
+mod witness;
+
+use std::path::Path;
+
+use ffrf::flexible_body;
+use ffrf_codegen::{GenerateOptions, Kernels, ScalarType, generate};
+use ffrf_model::ReducedBody;
+
+/// The model that the bodies below are made from.
+const MODEL: &str = "tests/models/random_m4.ffrf.json";
+
+flexible_body! {
+    /// All four modes.
+    pub struct Whole { model: "tests/models/random_m4.ffrf.json" }
+}
+
+flexible_body! {
+    /// The first two.
+    pub struct First { model: "tests/models/random_m4.ffrf.json", modes: ..2 }
+}
+
+flexible_body! {
+    struct Single { model: "tests/models/random_m4.ffrf.json", modes: ..3, scalar: f32, fma: off }
+}
+
+flexible_body! {
+    pub struct General { modes: 2, layout: {} }
+}
+
+flexible_body! {
+    pub struct Special {
+        modes: 3,
+        layout: {
+            mass: dense,
+            first_moment: zero,
+            modal_first_moment: zero,
+            position_mode_moment: symmetric,
+            modal_mass: identity,
+            damping: diagonal,
+        },
+    }
+}
+
+fn model() -> ReducedBody {
+    ReducedBody::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(MODEL)).unwrap()
+}
+
+fn options(modes: Option<usize>) -> GenerateOptions {
+    GenerateOptions { modes, ..GenerateOptions::default() }
+}
+
+#[test]
+fn a_model_with_all_its_modes() {
+    let body = model();
+    let kernels = Kernels::formulate(&body, &options(None)).unwrap();
+    witness::check::<4, 10, _>(&Whole, &body, &kernels, true);
+}
+
+#[test]
+fn the_first_modes_of_a_model() {
+    let body = model();
+    let kernels = Kernels::formulate(&body, &options(Some(2))).unwrap();
+    witness::check::<2, 8, _>(&First, &body.with_modes(2).unwrap(), &kernels, true);
+    assert_eq!(First::MODE_COUNT, 2);
+    assert_eq!(First::MODEL_FINGERPRINT, Whole::MODEL_FINGERPRINT);
+}
+
+#[test]
+fn single_precision() {
+    let kernels = Kernels::formulate(&model(), &options(Some(3))).unwrap();
+    witness::check_single::<3, 9, _>(&Single, &kernels);
+}
+
+#[test]
+fn invariants_at_run_time_in_the_general_layout() {
+    let body = random_body::random_body(12, 2, random_body::Modes::Random);
+    let given = witness::invariants::<2>(&body);
+    let general = General {
+        mass: given.mass,
+        first_moment: body.inertia.first_moment,
+        modal_first_moment: [0, 1].map(|mu| body.inertia.modal_first_moment[mu]),
+        second_moment: given.euler_tensor,
+        position_mode_moment: given.modal_euler_tensor,
+        mode_mode_moment: given.modal_pair_euler_tensor,
+        stiffness: given.stiffness,
+        damping: given.damping,
+    };
+    let kernels = Kernels::formulate(&body, &options(None)).unwrap();
+    witness::check::<2, 8, _>(&general, &body, &kernels, true);
+}
+
+#[test]
+fn invariants_at_run_time_in_a_special_layout() {
+    let body = random_body::random_body(13, 3, random_body::Modes::FreeFree);
+    let given = witness::invariants::<3>(&body);
+    let special = Special {
+        mass: given.mass,
+        second_moment: given.euler_tensor,
+        position_mode_moment: given.modal_euler_tensor,
+        mode_mode_moment: given.modal_pair_euler_tensor,
+        stiffness: given.stiffness,
+        damping: std::array::from_fn(|mu| given.damping[mu][mu]),
+    };
+    let kernels = Kernels::formulate(&body, &options(None)).unwrap();
+    witness::check::<3, 9, _>(&special, &body, &kernels, true);
+}
+
+#[test]
+fn text_and_tokens_are_the_same_code() {
+    let mut special = options(Some(3));
+    special.scalar = ScalarType::F32;
+    for options in [options(None), special] {
+        let code = generate(&model(), &options).unwrap();
+        let read_back: proc_macro2::TokenStream = code.text.parse().unwrap();
+        assert_eq!(read_back.to_string(), code.tokens.to_string());
+    }
+}
