@@ -74,3 +74,20 @@ pub fn apply_mass(scalar_mass: &SparseMatrix, columns: MatRef<'_, f64>) -> Mat<f
     let product = scalar_mass * &stacked;
     Mat::from_fn(3 * nodes, width, |row, c| product[(row / 3, (row % 3) * width + c)])
 }
+
+/// Gram matrix of the scalar fields {1, xⁱ, φ_μⁱ} with M_s: M̄ = Gram ⊗ I3, and all inertia invariants in one table.
+///
+/// Row 0 is the constant field, rows 1 to 3 the coordinates, rows 4 + 3 μ + i the components of the modes.
+/// Shape: (4 + 3M) square. Units: kg times those of the fields. Source: (56), (108)-(132).
+pub fn gram_matrix(
+    positions: &[[f64; 3]],
+    mode_shapes: MatRef<'_, f64>,
+    scalar_mass: &SparseMatrix,
+) -> Mat<f64> {
+    let fields = Mat::from_fn(positions.len(), 4 + 3 * mode_shapes.ncols(), |node, field| match field {
+        0 => 1.0,
+        1..=3 => positions[node][field - 1],
+        _ => mode_shapes[(3 * node + (field - 4) % 3, (field - 4) / 3)],
+    });
+    fields.transpose() * (scalar_mass * &fields)
+}

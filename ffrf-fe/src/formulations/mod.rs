@@ -6,6 +6,11 @@
 //! Every numbered equation that claims something checkable is a test in `tests/equations`.
 
 pub mod constraints;
+pub mod corotated;
+mod error;
 pub mod gcms;
 pub mod null_space;
+pub mod quadrature;
 pub mod rotation;
+
+pub use error::{ElementDefect, FormulationError};

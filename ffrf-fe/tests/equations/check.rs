@@ -12,6 +12,9 @@ pub const IDENTITY: f64 = 1e-13;
 /// A misprint must show at least this much, or the test could not see it.
 pub const VISIBLE: f64 = 1e-2;
 
+/// Matrices that another program printed: CalculiX writes 21 digits, but integrates with its own abscissas.
+pub const PRINTED_MATRIX: f64 = 1e-12;
+
 /// Natural size of a quantity of a body in natural units, below which it counts as vanishing by symmetry.
 const NATURAL: f64 = 0.1;
 

@@ -16,5 +16,6 @@ mod s7_gyroscopic;
 mod s7_inertia;
 mod s7_mass;
 mod s7_projection;
+mod s7_volume_integrals;
 mod s8_euler_parameters;
 mod s8_result;

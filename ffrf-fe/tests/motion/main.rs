@@ -1,0 +1,6 @@
+//! Motion in absolute coordinates (ACF), generalised modes (GCMS) and the floating frame: laws and equivalence.
+
+mod beam;
+mod conservation;
+mod elastic_force;
+mod tolerances;
