@@ -70,6 +70,21 @@ pub const fn array<const R: usize, T>(vector: &SVector<T, R>) -> &[T; R] {
     column
 }
 
+/// The entries of a column vector as an array to write to. Shape: R.
+#[inline(always)]
+pub const fn array_mut<const R: usize, T>(vector: &mut SVector<T, R>) -> &mut [T; R] {
+    let [column] = &mut vector.data.0;
+    column
+}
+
+/// The columns of a matrix as arrays to write to. Shape: C columns of R.
+#[inline(always)]
+pub const fn columns_mut<const R: usize, const C: usize, T>(
+    matrix: &mut SMatrix<T, R, C>,
+) -> &mut [[T; R]; C] {
+    &mut matrix.data.0
+}
+
 /// The columns of a matrix as arrays, without a copy. Shape: C columns of R.
 #[inline(always)]
 pub const fn columns<const R: usize, const C: usize, T>(matrix: &SMatrix<T, R, C>) -> &[[T; R]; C] {

@@ -10,4 +10,4 @@ mod text;
 
 pub(crate) use choice::choose;
 pub(crate) use tables::LaneTables;
-pub(crate) use text::{IN_LANES, functions};
+pub(crate) use text::{IN_LANES, functions, trait_method};

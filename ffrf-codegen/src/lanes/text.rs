@@ -8,6 +8,9 @@ use crate::ScalarType;
 use crate::emit::literal;
 use crate::formulate::KernelKind;
 
+/// Up to this number of modes, the common part of the kernels is inlined into each of them.
+const LARGEST_INLINE: usize = 8;
+
 /// The kernels that loops compute; the others cost no more than M operations per entry and stay statements.
 pub(crate) const IN_LANES: [KernelKind; 6] = [
     KernelKind::MassMatrix,
@@ -29,26 +32,46 @@ pub(crate) fn functions(
     let (coordinates, space, vector) =
         (format!("&[{scalar}; {modes}]"), format!("&[{scalar}; 3]"), format!("[{scalar}; {size}]"));
     let net = "&support::lanes::net_force(force, &internal_force(q, q_dot))";
+    // Few modes: one function is fastest. Many: what all kernels share is kept once.
+    let inline = if modes <= LARGEST_INLINE { "#[inline]" } else { "#[inline(never)]" };
+    let groups = tables.groups;
+    let _ = write!(
+        text,
+        "
+    /// What follows from a state before forces are known: deformed invariants and quadratic velocity vector.
+    {inline}
+    fn state(
+        q: {coordinates},
+        omega: {space},
+        q_dot: {coordinates},
+    ) -> support::lanes::State<{scalar}, {groups}> {{
+        BODY.state(q, *omega, q_dot)
+    }}
+"
+    );
     for kind in IN_LANES {
         let state = format!("q: {coordinates}, omega: {space}, q_dot: {coordinates}");
         let moving = format!("q: {coordinates}, velocity: {space}, omega: {space}, q_dot: {coordinates}");
+        let at = "&state(q, omega, q_dot)";
         let (inputs, result, arguments) = match kind {
-            KernelKind::MassMatrix => {
-                (format!("q: {coordinates}"), format!("[{vector}; {size}]"), "q".to_owned())
-            }
-            KernelKind::QuadraticVelocity => (state, vector.clone(), "q, omega, q_dot".to_owned()),
+            KernelKind::MassMatrix => (
+                format!("q: {coordinates}"),
+                format!("[{vector}; {size}]"),
+                format!("&state(q, &[0.0; 3], &[0.0; {modes}])"),
+            ),
+            KernelKind::QuadraticVelocity => (state, vector.clone(), at.to_owned()),
             KernelKind::ForwardDynamics => {
-                (format!("{state}, force: &{vector}"), vector.clone(), format!("q, omega, q_dot, {net}"))
+                (format!("{state}, force: &{vector}"), vector.clone(), format!("{at}, {net}"))
             }
             KernelKind::EquationsOfMotion => (
                 format!("{state}, force: &{vector}"),
                 format!("([{vector}; {size}], {vector}, {vector})"),
-                format!("q, omega, q_dot, {net}"),
+                format!("{at}, {net}"),
             ),
             KernelKind::AngularMomentum => {
-                (moving, format!("[{scalar}; 3]"), "q, velocity, omega, q_dot".to_owned())
+                (moving, format!("[{scalar}; 3]"), format!("{at}, velocity, omega"))
             }
-            _ => (moving, scalar.to_owned(), "q, velocity, omega, q_dot".to_owned()),
+            _ => (moving, scalar.to_owned(), format!("{at}, velocity, omega, q_dot")),
         };
         text.push('\n');
         for line in document(kind) {
@@ -68,6 +91,36 @@ pub(crate) fn functions(
         );
     }
     text
+}
+
+/// The method of the trait that writes its results in place.
+pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
+    let (modes, size, scalar) = (tables.modes, 6 + tables.modes, scalar.name());
+    let vector = |size: usize| format!("&::ffrf::nalgebra::SVector<{scalar}, {size}>");
+    let (coordinates, forces) = (vector(modes), vector(size));
+    format!(
+        "
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: {coordinates},
+            omega: &::ffrf::nalgebra::Vector3<{scalar}>,
+            q_dot: {coordinates},
+            force: {forces},
+            equations: &mut ::ffrf::EquationsOfMotion<{modes}, {size}, {scalar}>,
+        ) {{
+            let (q, q_dot) = (support::array(q), support::array(q_dot));
+            let force = support::lanes::net_force(support::array(force), &internal_force(q, q_dot));
+            BODY.write_equations_of_motion(
+                &state(q, support::array(omega), q_dot),
+                &force,
+                support::columns_mut(&mut equations.mass_matrix),
+                support::array_mut(&mut equations.quadratic_velocity),
+                support::array_mut(&mut equations.acceleration),
+            );
+        }}
+"
+    )
 }
 
 fn statics(tables: &LaneTables, scalar: ScalarType) -> String {

@@ -1,6 +1,6 @@
 //! The kernels with accelerations: modes eliminated first, then translation, then rotation.
 
-use super::equations::{Deformed, Quadratic, sums};
+use super::equations::{Quadratic, State, sums};
 use super::rigid::{dot, inverse, subtract, times};
 use super::scalar::{Register, grouped, ungroup};
 use super::{LaneBody, Lanes, MomentTable, Scalar};
@@ -8,58 +8,65 @@ use super::{LaneBody, Lanes, MomentTable, Scalar};
 impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
     /// Mass matrix M(q), columns of N = 6 + M entries. Source: (203).
     #[inline(always)]
-    pub fn mass_matrix<const N: usize>(&self, q: &[T; M]) -> [[T; N]; N] {
-        let (deformed, _) = self.state(q, [T::ZERO; 3], &[T::ZERO; M]);
+    pub fn mass_matrix<const N: usize>(&self, (deformed, _): &State<T, G>) -> [[T; N]; N] {
         let mut columns = [[T::ZERO; N]; N];
-        self.write_mass_matrix(&deformed, &mut columns);
+        self.write_mass_matrix(deformed, &mut columns);
         columns
     }
 
     /// Quadratic velocity vector Q(q, ω, q̇). Shape: N. Source: (209), corrected.
     #[inline(always)]
-    pub fn quadratic_velocity<const N: usize>(&self, q: &[T; M], omega: &[T; 3], q_dot: &[T; M]) -> [T; N] {
-        let (_, quadratic) = self.state(q, *omega, q_dot);
-        quadratic.vector()
+    pub fn quadratic_velocity<const N: usize>(&self, (_, quadratic): &State<T, G>) -> [T; N] {
+        let mut entries = [T::ZERO; N];
+        quadratic.write(&mut entries);
+        entries
     }
 
-    /// Accelerations [α; ω̇; q̈] under `force`, from which elastic and damping forces are subtracted already.
-    #[inline(always)]
-    pub fn forward_dynamics<const N: usize>(
-        &self,
-        q: &[T; M],
-        omega: &[T; 3],
-        q_dot: &[T; M],
-        force: &[T; N],
-    ) -> [T; N] {
-        let (deformed, quadratic) = self.state(q, *omega, q_dot);
-        self.accelerations(&deformed, &quadratic, force)
-    }
-
-    /// Mass matrix, quadratic velocity vector and accelerations in one pass; `force` as in
-    /// [`LaneBody::forward_dynamics`].
+    /// Mass matrix, quadratic velocity vector and accelerations; `force` as in [`LaneBody::forward_dynamics`].
     #[inline(always)]
     pub fn equations_of_motion<const N: usize>(
         &self,
-        q: &[T; M],
-        omega: &[T; 3],
-        q_dot: &[T; M],
+        state: &State<T, G>,
         force: &[T; N],
     ) -> ([[T; N]; N], [T; N], [T; N]) {
-        let (deformed, quadratic) = self.state(q, *omega, q_dot);
-        let accelerations = self.accelerations(&deformed, &quadratic, force);
-        let mut columns = [[T::ZERO; N]; N];
-        self.write_mass_matrix(&deformed, &mut columns);
-        (columns, quadratic.vector(), accelerations)
+        let mut results = ([[T::ZERO; N]; N], [T::ZERO; N], [T::ZERO; N]);
+        let (columns, quadratic, accelerations) = &mut results;
+        self.write_equations_of_motion(state, force, columns, quadratic, accelerations);
+        results
     }
 
+    /// [`LaneBody::equations_of_motion`] into given places: a large matrix is not moved.
+    #[inline(always)]
+    pub fn write_equations_of_motion<const N: usize>(
+        &self,
+        state: &State<T, G>,
+        force: &[T; N],
+        mass_matrix: &mut [[T; N]; N],
+        quadratic_velocity: &mut [T; N],
+        acceleration: &mut [T; N],
+    ) {
+        self.write_accelerations(state, force, acceleration);
+        state.1.write(quadratic_velocity);
+        self.write_mass_matrix(&state.0, mass_matrix);
+    }
+
+    /// Accelerations [α; ω̇; q̈] under `force`, from which elastic and damping forces are subtracted already.
+    ///
     /// M⁻¹ (force - Q): q̈ by the diagonal Θ_ff, α by a constant matrix, ω̇ by a 3 x 3 inverse.
     #[inline(always)]
-    fn accelerations<const N: usize>(
+    pub fn forward_dynamics<const N: usize>(&self, state: &State<T, G>, force: &[T; N]) -> [T; N] {
+        let mut entries = [T::ZERO; N];
+        self.write_accelerations(state, force, &mut entries);
+        entries
+    }
+
+    #[inline(always)]
+    fn write_accelerations<const N: usize>(
         &self,
-        deformed: &Deformed<T, G>,
-        quadratic: &Quadratic<T, G>,
+        (deformed, quadratic): &State<T, G>,
         force: &[T; N],
-    ) -> [T; N] {
+        entries: &mut [T; N],
+    ) {
         const { assert!(N == 6 + M) };
         let mut modal: [Register<T>; G] = grouped(&force[6..]);
         let mut coupled = [Register::<T>::ZERO; 9];
@@ -135,27 +142,26 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
             }
             modal[g] = self.modal_compliance.times(g, modal[g]);
         }
-        vector(translation, angular, &modal)
+        write(translation, angular, &modal, entries);
     }
 }
 
 impl<T: Scalar, const G: usize> Quadratic<T, G> {
     #[inline(always)]
-    fn vector<const N: usize>(&self) -> [T; N] {
-        vector(self.translation, self.rotation, &self.modal)
+    fn write<const N: usize>(&self, entries: &mut [T; N]) {
+        write(self.translation, self.rotation, &self.modal, entries);
     }
 }
 
 /// The parts one below the other.
 #[inline(always)]
-fn vector<T: Scalar, const N: usize, const G: usize>(
+fn write<T: Scalar, const N: usize, const G: usize>(
     translation: [T; 3],
     rotation: [T; 3],
     modal: &[Register<T>; G],
-) -> [T; N] {
-    let mut entries = [T::ZERO; N];
+    entries: &mut [T; N],
+) {
     entries[..3].copy_from_slice(&translation);
     entries[3..6].copy_from_slice(&rotation);
-    ungroup(modal, &mut entries[6..]);
-    entries
+    ungroup(|g| modal[g].store(), &mut entries[6..]);
 }

@@ -1,6 +1,6 @@
 //! Kinetic energy and angular momentum.
 
-use super::equations::sums;
+use super::equations::{State, sums};
 use super::rigid::{add, cross, dot, times};
 use super::scalar::{Register, groups};
 use super::{LaneBody, Lanes, MomentTable, Scalar};
@@ -8,8 +8,13 @@ use super::{LaneBody, Lanes, MomentTable, Scalar};
 impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
     /// Kinetic energy. Units: J. Source: MATH.md, the sum of all kept terms.
     #[inline(always)]
-    pub fn kinetic_energy(&self, q: &[T; M], velocity: &[T; 3], omega: &[T; 3], q_dot: &[T; M]) -> T {
-        let (deformed, _) = self.state(q, *omega, q_dot);
+    pub fn kinetic_energy(
+        &self,
+        (deformed, _): &State<T, G>,
+        velocity: &[T; 3],
+        omega: &[T; 3],
+        q_dot: &[T; M],
+    ) -> T {
         let rates = groups::<T, M, G>(q_dot);
         let mut modal = Register::<T>::ZERO;
         for g in 0..G {
@@ -24,8 +29,7 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
 
     /// Angular momentum m r × v + Θ_rr ω + Θ_rf q̇ about the frame origin. Shape: 3. Units: N m s.
     #[inline(always)]
-    pub fn angular_momentum(&self, q: &[T; M], velocity: &[T; 3], omega: &[T; 3], q_dot: &[T; M]) -> [T; 3] {
-        let (deformed, _) = self.state(q, *omega, q_dot);
+    pub fn angular_momentum(&self, (deformed, _): &State<T, G>, velocity: &[T; 3], omega: &[T; 3]) -> [T; 3] {
         let orbital = cross(deformed.first_moment, *velocity);
         add(orbital, add(times(deformed.inertia, *omega), deformed.spin))
     }

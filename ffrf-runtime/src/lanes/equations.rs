@@ -4,8 +4,12 @@ use super::rigid::{add, cross, times, traced};
 use super::scalar::{Register, groups};
 use super::{Diagonal, Four, LaneBody, Lanes, MomentTable, Moments, Scalar};
 
+/// Everything that follows from a state before forces are known.
+pub type State<T, const G: usize> = (Deformed<T, G>, Quadratic<T, G>);
+
 /// What depends on the deformation.
-pub(super) struct Deformed<T: Scalar, const G: usize> {
+#[derive(Clone, Copy)]
+pub struct Deformed<T: Scalar, const G: usize> {
     /// m r(q). Source: (204).
     pub(super) first_moment: [T; 3],
     /// Θ_rr(q). Source: (204), symmetrised.
@@ -19,7 +23,8 @@ pub(super) struct Deformed<T: Scalar, const G: usize> {
 }
 
 /// Quadratic velocity vector by its parts.
-pub(super) struct Quadratic<T: Scalar, const G: usize> {
+#[derive(Clone, Copy)]
+pub struct Quadratic<T: Scalar, const G: usize> {
     pub(super) translation: [T; 3],
     pub(super) rotation: [T; 3],
     pub(super) modal: [Register<T>; G],
@@ -55,12 +60,7 @@ pub(super) fn sums<T: Scalar, const K: usize>(registers: [Register<T>; K]) -> [T
 impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
     /// Deformed invariants and quadratic velocity vector of one state. What is not used costs nothing.
     #[inline(always)]
-    pub(super) fn state(
-        &self,
-        q: &[T; M],
-        omega: [T; 3],
-        q_dot: &[T; M],
-    ) -> (Deformed<T, G>, Quadratic<T, G>) {
+    pub fn state(&self, q: &[T; M], omega: [T; 3], q_dot: &[T; M]) -> (Deformed<T, G>, Quadratic<T, G>) {
         let Moments { mut even, odd, whirl } = self.moments.times(q, q_dot, omega.map(|x| T::TWO * x));
         let mut coupling = odd;
         let (q, q_dot) = (groups::<T, M, G>(q), groups::<T, M, G>(q_dot));

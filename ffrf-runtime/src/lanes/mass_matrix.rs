@@ -24,38 +24,58 @@ impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
             [z, zero, -x, xy, yy, yz],
             [-y, x, zero, xz, yz, zz],
         ];
-        let moments = self.modal_first_moment;
         let (left, right) = columns.split_at_mut(6);
-        for (axis, (column, rigid)) in left.iter_mut().zip(rigid).enumerate() {
+        for (column, rigid) in left.iter_mut().zip(rigid) {
             column[..6].copy_from_slice(&rigid);
-            match (axis, moments) {
-                (0..3, None) => column[6..].fill(zero),
-                (0..3, Some(moments)) => {
-                    ungroup(&moments.map(|group| Register::<T>::load(&group[axis])), &mut column[6..]);
-                }
-                _ => ungroup(&deformed.coupling[axis - 3], &mut column[6..]),
-            }
         }
-        for (g, columns) in right.chunks_mut(4).enumerate() {
-            let [first, second, third] = [0, 1, 2].map(|axis| deformed.coupling[axis][g]);
-            let moments = match moments {
-                Some(moments) => moments[g].map(|numbers| Register::<T>::load(&numbers)),
-                None => [Register::<T>::ZERO; 3],
-            };
-            let heads = Register::<T>::transpose([moments[0], moments[1], moments[2], first]);
-            let (second, third) = (second.store(), third.store());
-            for (k, column) in columns.iter_mut().enumerate() {
-                column[6..].fill(zero);
-                column[..4].copy_from_slice(&heads[k].store());
-                column[4] = second[k];
-                column[5] = third[k];
-                if let Some(entry) = column.get_mut(6 + 4 * g + k) {
-                    *entry = match self.modal_mass {
-                        Diagonal::Zero => zero,
-                        Diagonal::Identity => T::ONE,
-                        Diagonal::Entries(entries) => entries[g][k],
-                    };
-                }
+        let (along, about) = left.split_at_mut(3);
+        let [along_x, along_y, along_z] = along else { return };
+        let [about_x, about_y, about_z] = about else { return };
+        let columns = [(0, along_x, about_x), (1, along_y, about_y), (2, along_z, about_z)];
+        for (axis, along, about) in columns {
+            match self.modal_first_moment {
+                None => along[6..].fill(zero),
+                Some(moments) => ungroup(|g| moments[g][axis], &mut along[6..]),
+            }
+            ungroup(|g| deformed.coupling[axis][g].store(), &mut about[6..]);
+        }
+        let entries = match self.modal_mass {
+            Diagonal::Entries(entries) => Some(entries.as_slice()),
+            Diagonal::Zero | Diagonal::Identity => None,
+        };
+        let moments = self.modal_first_moment.map(|groups| groups.as_slice());
+        let [first, second, third] = &deformed.coupling;
+        write_modal_columns::<T, N>([first, second, third], moments, entries, right);
+    }
+}
+
+/// The columns of the modes. A function of slices, so that one loop serves all modes.
+#[inline(never)]
+fn write_modal_columns<T: Scalar, const N: usize>(
+    [first, second, third]: [&[Register<T>]; 3],
+    moments: Option<&[[[T; 4]; 3]]>,
+    modal_mass: Option<&[[T; 4]]>,
+    columns: &mut [[T; N]],
+) {
+    let groups = first.iter().zip(second).zip(third);
+    for (g, (((first, second), third), columns)) in groups.zip(columns.chunks_mut(4)).enumerate() {
+        let moments = match moments.and_then(|moments| moments.get(g)) {
+            Some(moments) => moments.map(|numbers| Register::<T>::load(&numbers)),
+            None => [Register::<T>::ZERO; 3],
+        };
+        let modal_mass = match modal_mass.and_then(|modal_mass| modal_mass.get(g)) {
+            Some(modal_mass) => *modal_mass,
+            None => [T::ONE; 4],
+        };
+        let heads = Register::<T>::transpose([moments[0], moments[1], moments[2], *first]);
+        let (second, third) = (second.store(), third.store());
+        for (k, column) in columns.iter_mut().enumerate().take(4) {
+            let Some((top, bottom)) = column.split_first_chunk_mut::<6>() else { return };
+            bottom.fill(T::ZERO);
+            top[..4].copy_from_slice(&heads[k].store());
+            [top[4], top[5]] = [second[k], third[k]];
+            if let Some(entry) = bottom.get_mut(4 * g + k) {
+                *entry = modal_mass[k];
             }
         }
     }

@@ -25,6 +25,7 @@ mod scalar;
 mod vector;
 
 pub use body::{Diagonal, LaneBody};
+pub use equations::{Deformed, Quadratic, State};
 pub use full_table::FullTable;
 pub use half_table::HalfTable;
 pub use moments::{MomentTable, Moments};

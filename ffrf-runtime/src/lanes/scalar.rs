@@ -82,15 +82,16 @@ pub(super) fn grouped<T: Scalar, const G: usize>(numbers: &[T]) -> [Register<T>;
     groups
 }
 
-/// The inverse of [`grouped`].
+/// The inverse of [`grouped`]: writes the numbers of `group(0)`, `group(1)`, ... one after another.
 #[inline(always)]
-pub(super) fn ungroup<T: Scalar, const G: usize>(groups: &[Register<T>; G], numbers: &mut [T]) {
+pub(super) fn ungroup<T: Scalar>(group: impl Fn(usize) -> [T; 4], numbers: &mut [T]) {
     let (whole, rest) = numbers.as_chunks_mut::<4>();
-    for (numbers, group) in whole.iter_mut().zip(groups) {
-        *numbers = group.store();
+    let count = whole.len();
+    for (g, numbers) in whole.iter_mut().enumerate() {
+        *numbers = group(g);
     }
-    if let (false, Some(group)) = (rest.is_empty(), groups.last()) {
-        for (place, number) in rest.iter_mut().zip(group.store()) {
+    if !rest.is_empty() {
+        for (place, number) in rest.iter_mut().zip(group(count)) {
             *place = number;
         }
     }
@@ -106,7 +107,7 @@ mod tests {
         let groups: [Register<f64>; 2] = groups(&numbers);
         assert_eq!(groups[1].store(), [5.0, 0.0, 0.0, 0.0]);
         let mut back = [0.0; 5];
-        ungroup(&groups, &mut back);
+        ungroup(|g| groups[g].store(), &mut back);
         assert_eq!(back, numbers);
     }
 }
