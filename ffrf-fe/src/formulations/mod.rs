@@ -8,6 +8,7 @@
 pub mod constraints;
 pub mod corotated;
 mod error;
+pub mod floating;
 pub mod gcms;
 pub mod null_space;
 pub mod quadrature;

@@ -3,4 +3,6 @@
 mod beam;
 mod conservation;
 mod elastic_force;
+mod equivalence;
+mod modes;
 mod tolerances;

@@ -49,10 +49,12 @@ pub struct Midpoint<'a> {
     constraints_solved: Mat<f64>,
     /// Dead load f_ext. Shape: 3N. Units: N.
     pub load: Mat<f64>,
-    /// Correction relative to the largest reference coordinate at which the iteration ends.
+    /// Correction at which the iteration ends, in the norm of M relative to the reference coordinates: for a mesh
+    /// the root mean square displacement over the radius of inertia about the origin.
     pub tolerance: f64,
     /// Iterations allowed in a step.
     pub max_iterations: usize,
+    /// Norm of the reference coordinates.
     extent: f64,
 }
 
@@ -77,7 +79,7 @@ impl<'a> Midpoint<'a> {
         }
         Ok(Self {
             load: Mat::zeros(3 * model.triples(), 1),
-            extent: model.reference.norm_max(),
+            extent: model.kinetic_energy(&model.reference).sqrt(),
             tolerance: 1e-11,
             max_iterations: 25,
             model,
@@ -116,7 +118,7 @@ impl<'a> Midpoint<'a> {
             let gap = turned((self.constraints.transpose() * &middle - &held).as_ref(), to_body);
             let (correction, multipliers) = self.solve(&elastic, &residual, &gap);
             middle += turned(correction.as_ref(), elastic.rotation.as_ref());
-            let size = correction.norm_max() / self.extent;
+            let size = self.model.kinetic_energy(&correction).max(0.0).sqrt() / self.extent;
             let stagnant = size <= 1e3 * self.tolerance && size >= 0.5 * previous;
             if size <= self.tolerance || stagnant {
                 let velocity = faer::Scale(2.0 / h) * (&middle - &motion.position);

@@ -10,9 +10,11 @@ mod frame;
 mod joint;
 mod midpoint;
 mod model;
+mod orthonormal;
 
 pub use elastic::ElasticState;
 pub use frame::{Frame, FramePosition};
 pub use joint::GroundJoint;
 pub use midpoint::{Midpoint, Motion, StepReport};
 pub use model::CorotatedModel;
+pub use orthonormal::Recombination;

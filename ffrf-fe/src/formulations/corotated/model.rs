@@ -161,7 +161,7 @@ pub(super) fn turned(columns: MatRef<'_, f64>, rotation: MatRef<'_, f64>) -> Mat
     })
 }
 
-fn dense_as_sparse(matrix: &Mat<f64>) -> Result<SparseMatrix, FormulationError> {
+pub(super) fn dense_as_sparse(matrix: &Mat<f64>) -> Result<SparseMatrix, FormulationError> {
     let entries: Vec<_> = (0..matrix.ncols())
         .flat_map(|j| (0..matrix.nrows()).map(move |i| (i, j)))
         .filter(|&ij| matrix[ij] != 0.0)

@@ -1,0 +1,8 @@
+//! The floating frame of reference by its corrected equations (Section 8), written plainly: the reference against
+//! which faster kernels and the other formulations are held.
+
+mod body;
+mod motion;
+
+pub use body::FloatingBody;
+pub use motion::{FloatingMotion, Pin, RungeKutta};
