@@ -115,6 +115,11 @@ pub struct GenerateOptions {
 /// What is zero by construction (b and ϑ of computed free-free modes) the reduction writes as zero.
 pub const DEFAULT_LAYOUT_TOLERANCE: f64 = 1e-15;
 
+/// Least tolerance for a centre of mass in the frame origin, when no mode moves it (all b_μ zero).
+///
+/// The lever m r̃ is then this noise alone, and its natural size is the mass times the size of the body.
+pub const CENTRED_TOLERANCE: f64 = 1e-13;
+
 /// Least tolerance for the orthogonality of modes: Θ_ff, K_ff and D_ff count as identity or diagonal up to this
 /// deviation, relative to their own diagonal, against which their accuracy is measured.
 pub const ORTHOGONALITY_TOLERANCE: f64 = 1e-13;

@@ -4,7 +4,7 @@ use ffrf_model::{Matrix3, ReducedBody};
 
 use super::{BodyExpressions, MomentComponents};
 use crate::expression::{Expression, Graph, Symmetric3};
-use crate::layout::{GramScales, Structure, found};
+use crate::layout::{GramScales, Structure, found, lever_tolerance};
 use crate::options::ORTHOGONALITY_TOLERANCE;
 
 impl BodyExpressions {
@@ -63,7 +63,12 @@ impl BodyExpressions {
         let scale = scales.position * scales.position;
         Self {
             mass: number.graph.constant(inertia.mass),
-            first_moment: inertia.first_moment.map(|x| number.at(x, scales.translation * scales.position)),
+            first_moment: {
+                let negligible = lever_tolerance(body, tolerance) * scales.translation * scales.position;
+                inertia
+                    .first_moment
+                    .map(|x| number.graph.constant(if x.abs() <= negligible { 0.0 } else { x }))
+            },
             modal_first_moment: modes()
                 .map(|mu| {
                     let scale = scales.translation * scales.modes[mu];

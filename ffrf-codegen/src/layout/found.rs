@@ -6,7 +6,7 @@
 use ffrf_model::{Matrix3, ReducedBody};
 
 use super::{Layout, Structure};
-use crate::options::ORTHOGONALITY_TOLERANCE;
+use crate::options::{CENTRED_TOLERANCE, ORTHOGONALITY_TOLERANCE};
 
 /// Norms, in the mass inner product, of the fields that the invariants are products of.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,12 +67,12 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
     let position_square = scales.position * scales.position;
     Layout {
         first_moment: zero_or_dense(
-            inertia.first_moment.iter().all(|&x| small(x, scales.translation * scales.position)),
+            inertia
+                .first_moment
+                .iter()
+                .all(|&x| x.abs() <= lever_tolerance(body, tolerance) * scales.translation * scales.position),
         ),
-        modal_first_moment: zero_or_dense((0..count).all(|mu| {
-            let scale = scales.translation * scales.modes[mu];
-            inertia.modal_first_moment[mu].iter().all(|&x| small(x, scale))
-        })),
+        modal_first_moment: zero_or_dense(modes_keep_the_centre(body, tolerance)),
         second_moment: at_least_diagonal(matrix3(&inertia.second_moment, position_square)),
         position_mode_moment: join(
             &mut (0..count)
@@ -92,6 +92,21 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
         stiffness: modal(&body.stiffness, &scales.stiffness),
         damping: modal(&body.damping, &scales.damping),
     }
+}
+
+/// True if every b_μ counts as zero.
+fn modes_keep_the_centre(body: &ReducedBody, tolerance: f64) -> bool {
+    let scales = GramScales::of(body);
+    body.inertia
+        .modal_first_moment
+        .iter()
+        .zip(&scales.modes)
+        .all(|(moment, mode)| moment.iter().all(|x| x.abs() <= tolerance * scales.translation * mode))
+}
+
+/// Tolerance for the first moment m a, relative to √(m tr T).
+pub fn lever_tolerance(body: &ReducedBody, tolerance: f64) -> f64 {
+    if modes_keep_the_centre(body, tolerance) { tolerance.max(CENTRED_TOLERANCE) } else { tolerance }
 }
 
 /// A tensor that is never zero: zero, as found in degenerate bodies, is diagonal; unequal transposes are round-off.

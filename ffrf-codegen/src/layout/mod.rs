@@ -9,5 +9,5 @@ mod found;
 mod structure;
 
 pub use declared::Layout;
-pub use found::{GramScales, found};
+pub use found::{GramScales, found, lever_tolerance};
 pub use structure::Structure;

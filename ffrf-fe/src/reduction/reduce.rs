@@ -32,7 +32,7 @@ pub fn reduce(
     }
     let mut inertia = inertia_of(model, shapes);
     mean_axis::clear(&mut inertia, &basis.modes);
-    let stiffness = modal_stiffness(model, shapes, options.modal_stiffness.as_ref())?;
+    let stiffness = modal_stiffness(model, basis, options.modal_stiffness.as_ref())?;
     let damping = modal_damping(&options.damping, modal_mass(&inertia).as_ref(), stiffness.as_ref())?;
     let markers = options
         .markers

@@ -2,23 +2,28 @@
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
+use ffrf_model::ModeKind;
 
-use crate::FeModel;
 use crate::modes::stiffness_times;
+use crate::{FeModel, ModeBasis};
 
 use super::ReductionError;
 
 /// Largest asymmetry of a given modal stiffness, relative to its largest entry: eight decimals in a text file.
 const ASYMMETRY: f64 = 1e-8;
 
-/// ΨᵀKΨ or the modal stiffness given, symmetrised.
+/// Largest coupling of two computed eigenmodes, relative to √(K_μμ K_νν), that is taken for the solver's residual.
+const RESIDUAL_COUPLING: f64 = 1e-9;
+
+/// ΨᵀKΨ or the modal stiffness given, symmetrised; diagonal for computed eigenmodes.
 ///
 /// Errors: neither K nor K_ff there; K_ff of a wrong size, not finite or not symmetric.
 pub(crate) fn modal_stiffness(
     model: &FeModel,
-    shapes: &Mat<f64>,
+    basis: &ModeBasis,
     given: Option<&Mat<f64>>,
 ) -> Result<Mat<f64>, ReductionError> {
+    let shapes = &basis.shapes;
     let modes = shapes.ncols();
     let stiffness = match (given, &model.stiffness) {
         (Some(given), _) => {
@@ -33,7 +38,22 @@ pub(crate) fn modal_stiffness(
         }
         (None, None) => return Err(ReductionError::MissingStiffness),
     };
-    Ok(Mat::from_fn(modes, modes, |i, j| 0.5 * (stiffness[(i, j)] + stiffness[(j, i)])))
+    let symmetric = Mat::from_fn(modes, modes, |i, j| 0.5 * (stiffness[(i, j)] + stiffness[(j, i)]));
+    let computed = given.is_none() && basis.modes.iter().all(|mode| mode.kind != ModeKind::User);
+    Ok(if computed && couples_only_by_residuals(&symmetric) {
+        Mat::from_fn(modes, modes, |i, j| if i == j { symmetric[(i, j)] } else { 0.0 })
+    } else {
+        symmetric
+    })
+}
+
+fn couples_only_by_residuals(stiffness: &Mat<f64>) -> bool {
+    (0..stiffness.nrows()).all(|i| {
+        (0..i).all(|j| {
+            let scale = (stiffness[(i, i)] * stiffness[(j, j)]).max(0.0).sqrt();
+            stiffness[(i, j)].abs() <= RESIDUAL_COUPLING * scale
+        })
+    })
 }
 
 fn check(given: &Mat<f64>, modes: usize) -> Result<(), ReductionError> {
