@@ -13,3 +13,8 @@ pub use ffrf_runtime::*;
 
 #[doc(hidden)]
 pub use ffrf_runtime::generated_support;
+
+/// The README's example, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
