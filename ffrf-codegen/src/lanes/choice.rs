@@ -8,7 +8,7 @@ use crate::options::Strategy;
 use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
 
 /// From this number of modes on, lanes are chosen. Measured, see docs/benchmarks.
-const LANES_FROM: usize = 5;
+const LANES_FROM: usize = 6;
 
 /// The tables if the body is to be computed in lanes, `None` for straight-line code.
 ///

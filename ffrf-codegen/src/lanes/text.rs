@@ -9,7 +9,7 @@ use crate::emit::literal;
 use crate::formulate::KernelKind;
 
 /// Up to this number of modes, the common part of the kernels is inlined into each of them.
-const LARGEST_INLINE: usize = 8;
+const LARGEST_INLINE: usize = 16;
 
 /// The kernels that loops compute; the others cost no more than M operations per entry and stay statements.
 pub(crate) const IN_LANES: [KernelKind; 6] = [
@@ -33,7 +33,7 @@ pub(crate) fn functions(
         (format!("&[{scalar}; {modes}]"), format!("&[{scalar}; 3]"), format!("[{scalar}; {size}]"));
     let net = "&support::lanes::net_force(force, &internal_force(q, q_dot))";
     // Few modes: one function is fastest. Many: what all kernels share is kept once.
-    let inline = if modes <= LARGEST_INLINE { "#[inline]" } else { "#[inline(never)]" };
+    let inline = if modes <= LARGEST_INLINE { "#[inline(always)]" } else { "#[inline(never)]" };
     let groups = tables.groups;
     let _ = write!(
         text,

@@ -1,6 +1,6 @@
 //! The kernels with accelerations: modes eliminated first, then translation, then rotation.
 
-use super::equations::{Quadratic, State, sums};
+use super::equations::{State, sums};
 use super::rigid::{dot, inverse, subtract, times};
 use super::scalar::{Register, grouped, ungroup};
 use super::{LaneBody, Lanes, MomentTable, Scalar};
@@ -8,17 +8,17 @@ use super::{LaneBody, Lanes, MomentTable, Scalar};
 impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
     /// Mass matrix M(q), columns of N = 6 + M entries. Source: (203).
     #[inline(always)]
-    pub fn mass_matrix<const N: usize>(&self, (deformed, _): &State<T, G>) -> [[T; N]; N] {
+    pub fn mass_matrix<const N: usize>(&self, state: &State<T, G>) -> [[T; N]; N] {
         let mut columns = [[T::ZERO; N]; N];
-        self.write_mass_matrix(deformed, &mut columns);
+        self.write_mass_matrix(state, &mut columns);
         columns
     }
 
     /// Quadratic velocity vector Q(q, ω, q̇). Shape: N. Source: (209), corrected.
     #[inline(always)]
-    pub fn quadratic_velocity<const N: usize>(&self, (_, quadratic): &State<T, G>) -> [T; N] {
+    pub fn quadratic_velocity<const N: usize>(&self, state: &State<T, G>) -> [T; N] {
         let mut entries = [T::ZERO; N];
-        quadratic.write(&mut entries);
+        state.write_quadratic_velocity(&mut entries);
         entries
     }
 
@@ -46,8 +46,8 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
         acceleration: &mut [T; N],
     ) {
         self.write_accelerations(state, force, acceleration);
-        state.1.write(quadratic_velocity);
-        self.write_mass_matrix(&state.0, mass_matrix);
+        state.write_quadratic_velocity(quadratic_velocity);
+        self.write_mass_matrix(state, mass_matrix);
     }
 
     /// Accelerations [α; ω̇; q̈] under `force`, from which elastic and damping forces are subtracted already.
@@ -61,20 +61,15 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
     }
 
     #[inline(always)]
-    fn write_accelerations<const N: usize>(
-        &self,
-        (deformed, quadratic): &State<T, G>,
-        force: &[T; N],
-        entries: &mut [T; N],
-    ) {
+    fn write_accelerations<const N: usize>(&self, state: &State<T, G>, force: &[T; N], entries: &mut [T; N]) {
         const { assert!(N == 6 + M) };
         let mut modal: [Register<T>; G] = grouped(&force[6..]);
         let mut coupled = [Register::<T>::ZERO; 9];
         let mut shared = [Register::<T>::ZERO; 9];
         let mut carried = [Register::<T>::ZERO; 3];
         for g in 0..G {
-            modal[g] = modal[g] - quadratic.modal[g];
-            let rows = [0, 1, 2].map(|axis| deformed.coupling[axis][g]);
+            modal[g] = modal[g] - Register::<T>::load(&state.modal.whirl[g]);
+            let rows = state.coupling(g);
             let weighted = rows.map(|row| self.modal_compliance.times(g, row));
             let free = self.modal_compliance.times(g, modal[g]);
             // Θ_rf Θ_ff⁻¹ Θ_rfᵀ and Θ_rf Θ_ff⁻¹ f
@@ -96,10 +91,10 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
             }
         }
         let shared = sums::<T, 9>(shared);
-        let mut rotation = [3, 4, 5].map(|i| force[i] - quadratic.rotation[i - 3] - shared[i + 3]);
+        let mut rotation = [3, 4, 5].map(|i| force[i] - state.rotation[i - 3] - shared[i + 3]);
         let [s0, s1, s2, s3, s4, s5, ..] = shared;
-        let mut schur = subtract(deformed.inertia, [s0, s1, s2, s3, s4, s5]);
-        let mut translation = [0, 1, 2].map(|i| force[i] - quadratic.translation[i]);
+        let mut schur = subtract(state.inertia, [s0, s1, s2, s3, s4, s5]);
+        let mut translation = [0, 1, 2].map(|i| force[i] - state.translation[i]);
 
         let angular;
         if self.first_moment.is_none() && self.modal_first_moment.is_none() {
@@ -107,7 +102,7 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
             angular = times(inverse(schur), rotation);
         } else {
             // Columns of -m r̃ - m B Θ_ff⁻¹ Θ_rfᵀ.
-            let [x, y, z] = deformed.first_moment;
+            let [x, y, z] = state.first_moment;
             let zero = T::ZERO;
             let mut columns = [[zero, -z, y], [z, zero, -x], [-y, x, zero]];
             if self.modal_first_moment.is_some() {
@@ -134,34 +129,35 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
 
         let (along, about) = (translation.map(Register::<T>::splat), angular.map(Register::<T>::splat));
         for g in 0..G {
+            let rows = state.coupling(g);
             for axis in 0..3 {
-                modal[g] = deformed.coupling[axis][g].subtract_from(about[axis], modal[g]);
+                modal[g] = rows[axis].subtract_from(about[axis], modal[g]);
                 if let Some(moments) = self.modal_first_moment {
                     modal[g] = Register::<T>::load(&moments[g][axis]).subtract_from(along[axis], modal[g]);
                 }
             }
             modal[g] = self.modal_compliance.times(g, modal[g]);
         }
-        write(translation, angular, &modal, entries);
+        write(translation, angular, |g| modal[g].store(), entries);
     }
 }
 
-impl<T: Scalar, const G: usize> Quadratic<T, G> {
+impl<T: Scalar, const G: usize> State<T, G> {
     #[inline(always)]
-    fn write<const N: usize>(&self, entries: &mut [T; N]) {
-        write(self.translation, self.rotation, &self.modal, entries);
+    fn write_quadratic_velocity<const N: usize>(&self, entries: &mut [T; N]) {
+        write(self.translation, self.rotation, |g| self.modal.whirl[g], entries);
     }
 }
 
 /// The parts one below the other.
 #[inline(always)]
-fn write<T: Scalar, const N: usize, const G: usize>(
+fn write<T: Scalar, const N: usize>(
     translation: [T; 3],
     rotation: [T; 3],
-    modal: &[Register<T>; G],
+    modal: impl Fn(usize) -> [T; 4],
     entries: &mut [T; N],
 ) {
     entries[..3].copy_from_slice(&translation);
     entries[3..6].copy_from_slice(&rotation);
-    ungroup(|g| modal[g].store(), &mut entries[6..]);
+    ungroup(modal, &mut entries[6..]);
 }

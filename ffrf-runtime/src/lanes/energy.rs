@@ -10,7 +10,7 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
     #[inline(always)]
     pub fn kinetic_energy(
         &self,
-        (deformed, _): &State<T, G>,
+        state: &State<T, G>,
         velocity: &[T; 3],
         omega: &[T; 3],
         q_dot: &[T; M],
@@ -22,15 +22,15 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
         }
         let [modal] = sums::<T, 1>([modal]);
         let (velocity, omega) = (*velocity, *omega);
-        let carried = add(cross(omega, deformed.first_moment), deformed.momentum);
-        let twice = self.mass * dot(velocity, velocity) + dot(omega, times(deformed.inertia, omega)) + modal;
-        T::HALF * twice + dot(velocity, carried) + dot(omega, deformed.spin)
+        let carried = add(cross(omega, state.first_moment), state.momentum);
+        let twice = self.mass * dot(velocity, velocity) + dot(omega, times(state.inertia, omega)) + modal;
+        T::HALF * twice + dot(velocity, carried) + dot(omega, state.spin)
     }
 
     /// Angular momentum m r × v + Θ_rr ω + Θ_rf q̇ about the frame origin. Shape: 3. Units: N m s.
     #[inline(always)]
-    pub fn angular_momentum(&self, (deformed, _): &State<T, G>, velocity: &[T; 3], omega: &[T; 3]) -> [T; 3] {
-        let orbital = cross(deformed.first_moment, *velocity);
-        add(orbital, add(times(deformed.inertia, *omega), deformed.spin))
+    pub fn angular_momentum(&self, state: &State<T, G>, velocity: &[T; 3], omega: &[T; 3]) -> [T; 3] {
+        let orbital = cross(state.first_moment, *velocity);
+        add(orbital, add(times(state.inertia, *omega), state.spin))
     }
 }

@@ -1,6 +1,5 @@
 //! Every T_μν stored: groups of eight lanes, and one of four if their number is odd.
 
-use super::scalar::{Register, grouped};
 use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
 
 /// T_νμ at `[group][nu][component][lane]`, lanes over μ.
@@ -44,33 +43,38 @@ impl<T: Scalar, const M: usize, const G: usize, const PAIRS: usize, const SINGLE
     for FullTable<T, M, PAIRS, SINGLE>
 {
     #[inline(always)]
-    fn times(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3]) -> Moments<T, G> {
+    fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
         const { assert!(G == 2 * PAIRS + SINGLE && SINGLE <= 1 && 4 * G >= M) };
-        let mut moments = Moments::ZERO;
-        for pair in 0..PAIRS {
-            let (deformed, whirl) =
-                group::<T, <T as HasLanes<8>>::Lanes, 8, M>(&self.eights[pair], q, q_dot, two_omega);
-            let halves = |lanes: <T as HasLanes<8>>::Lanes| -> [Register<T>; 2] { grouped(&lanes.store()) };
-            for component in 0..5 {
-                let halves = halves(deformed[component]);
-                moments.even[component][2 * pair..2 * pair + 2].copy_from_slice(&halves);
-            }
-            for axis in 0..3 {
-                let halves = halves(deformed[5 + axis]);
-                moments.odd[axis][2 * pair..2 * pair + 2].copy_from_slice(&halves);
-            }
-            moments.whirl[2 * pair..2 * pair + 2].copy_from_slice(&halves(whirl));
+        for (pair, table) in self.eights.iter().enumerate() {
+            let (deformed, whirl) = group::<T, <T as HasLanes<8>>::Lanes, 8, M>(table, q, q_dot, two_omega);
+            put(moments, 2 * pair, deformed.map(Lanes::store), whirl.store());
         }
         for table in &self.fours {
-            let (deformed, whirl) = group::<T, Register<T>, 4, M>(table, q, q_dot, two_omega);
-            for component in 0..5 {
-                moments.even[component][G - 1] = deformed[component];
-            }
-            for axis in 0..3 {
-                moments.odd[axis][G - 1] = deformed[5 + axis];
-            }
-            moments.whirl[G - 1] = whirl;
+            let (deformed, whirl) = group::<T, <T as HasLanes<4>>::Lanes, 4, M>(table, q, q_dot, two_omega);
+            put(moments, 2 * PAIRS, deformed.map(Lanes::store), whirl.store());
         }
-        moments
     }
+}
+
+/// Writes `W` lanes from group `start` on.
+#[inline(always)]
+fn put<T: Scalar, const W: usize, const G: usize>(
+    moments: &mut Moments<T, G>,
+    start: usize,
+    deformed: [[T; W]; 8],
+    whirl: [T; W],
+) {
+    let place = |row: &mut [[T; 4]; G], numbers: &[T; W]| {
+        let (groups, _) = numbers.as_chunks::<4>();
+        for (offset, group) in groups.iter().enumerate() {
+            row[start + offset] = *group;
+        }
+    };
+    for component in 0..5 {
+        place(&mut moments.even[component], &deformed[component]);
+    }
+    for axis in 0..3 {
+        place(&mut moments.odd[axis], &deformed[5 + axis]);
+    }
+    place(&mut moments.whirl, &whirl);
 }

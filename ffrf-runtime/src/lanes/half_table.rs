@@ -11,7 +11,6 @@
 //!
 //! with + for the even components (symmetric under μ <-> ν) and - for the odd ones (antisymmetric).
 
-use super::scalar::grouped;
 use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
 
 /// Moments by blocks of `W` x `W` modes, for `H` rows of blocks; `TILES` = 8 H (H - 1) / 2.
@@ -59,34 +58,36 @@ fn collect<T: Copy, R: Lanes<T, W>, const W: usize>(partial: &[R; W]) -> R {
 
 /// `N` even components of one block column; `below` runs through the tiles.
 #[inline(always)]
-fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const N: usize>(
+fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: usize, const N: usize>(
     column: usize,
     coordinates: &[Of<T, W>; H],
     known: &Column<Of<T, W>, W>,
     diagonal: &[[[T; W]; W]],
     below: &mut core::slice::Iter<'a, [[T; W]; W]>,
-    moments: &mut [[Of<T, W>; H]],
+    moments: &mut [[[T; 4]; G]],
 ) {
     let mut partial = [[Of::<T, W>::ZERO; W]; N];
     for row in column + 1..H {
         let q = coordinates[row];
         for (moments, partial) in moments.iter_mut().zip(&mut partial) {
             let Some(tile) = below.next() else { return };
-            let mut sum = moments[row];
+            let Some(place) = blocks_of::<T, W>(moments).get_mut(row) else { return };
+            let mut sum = Of::<T, W>::load(place);
             for k in 0..W {
                 let moment = Of::<T, W>::load(&tile[k]);
                 sum = moment.multiply_add(known.q[k], sum);
                 partial[k] = moment.multiply_add(q, partial[k]);
             }
-            moments[row] = sum;
+            *place = sum.store();
         }
     }
     for ((moments, partial), diagonal) in moments.iter_mut().zip(&partial).zip(diagonal) {
-        let mut sum = moments[column];
+        let Some(place) = blocks_of::<T, W>(moments).get_mut(column) else { return };
+        let mut sum = Of::<T, W>::load(place);
         for k in 0..W {
             sum = Of::<T, W>::load(&diagonal[k]).multiply_add(known.q[k], sum);
         }
-        moments[column] = sum + collect(partial);
+        *place = (sum + collect(partial)).store();
     }
 }
 
@@ -100,16 +101,18 @@ fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
     twice: Of<T, W>,
     diagonal: &[[T; W]; W],
     below: &mut core::slice::Iter<'a, [[T; W]; W]>,
-    moments: &mut [Of<T, W>; H],
-    whirl: &mut [Of<T, W>; H],
+    moments: &mut [[T; 4]],
+    whirl: &mut [[T; 4]],
     whirl_partial: &mut [Of<T, W>; W],
 ) {
+    let (moments, whirl) = (blocks_of::<T, W>(moments), blocks_of::<T, W>(whirl));
     let mut partial = [Of::<T, W>::ZERO; W];
     let turned = known.q_dot.map(|rate| rate * twice);
     for row in column + 1..H {
         let (q, rate) = (coordinates[row], rates[row] * twice);
         let Some(tile) = below.next() else { return };
-        let (mut sum, mut turn) = (moments[row], whirl[row]);
+        let (Some(moments), Some(whirl)) = (moments.get_mut(row), whirl.get_mut(row)) else { return };
+        let (mut sum, mut turn) = (Of::<T, W>::load(moments), Of::<T, W>::load(whirl));
         for k in 0..W {
             let moment = Of::<T, W>::load(&tile[k]);
             sum = moment.multiply_add(known.q[k], sum);
@@ -117,27 +120,23 @@ fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
             partial[k] = moment.subtract_from(q, partial[k]);
             whirl_partial[k] = moment.subtract_from(rate, whirl_partial[k]);
         }
-        moments[row] = sum;
-        whirl[row] = turn;
+        (*moments, *whirl) = (sum.store(), turn.store());
     }
     // Diagonal 0 of a diagonal block is ϑ_μμ = 0.
-    let (mut sum, mut turn) = (moments[column], whirl[column]);
+    let (Some(moments), Some(whirl)) = (moments.get_mut(column), whirl.get_mut(column)) else { return };
+    let (mut sum, mut turn) = (Of::<T, W>::load(moments), Of::<T, W>::load(whirl));
     for k in 1..W {
         let moment = Of::<T, W>::load(&diagonal[k]);
         sum = moment.multiply_add(known.q[k], sum);
         turn = moment.multiply_add(turned[k], turn);
     }
-    moments[column] = sum + collect(&partial);
-    whirl[column] = turn;
+    (*moments, *whirl) = ((sum + collect(&partial)).store(), turn.store());
 }
 
-/// Blocks of `W` lanes as groups of four.
+/// Groups of four numbers as blocks of `W`.
 #[inline(always)]
-fn split<T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: usize>(
-    blocks: &[Of<T, W>; H],
-) -> [Of<T, 4>; G] {
-    let numbers = blocks.map(Lanes::store);
-    grouped(numbers.as_flattened())
+fn blocks_of<T, const W: usize>(groups: &mut [[T; 4]]) -> &mut [[T; W]] {
+    groups.as_flattened_mut().as_chunks_mut::<W>().0
 }
 
 impl<T, const M: usize, const G: usize, const W: usize, const H: usize, const TILES: usize>
@@ -146,20 +145,19 @@ where
     T: Scalar + HasLanes<W>,
 {
     #[inline(always)]
-    fn times(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3]) -> Moments<T, G> {
+    fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
         const { assert!(TILES == 4 * H * (H - 1) && 4 * G == W * H && W * H >= M) };
         let (coordinates, rates) = (blocks::<T, M, W, H>(q), blocks::<T, M, W, H>(q_dot));
         let two_omega = two_omega.map(Of::<T, W>::splat);
-        let mut evens = [[Of::<T, W>::ZERO; H]; 5];
-        let mut odds = [[Of::<T, W>::ZERO; H]; 3];
-        let mut whirl = [Of::<T, W>::ZERO; H];
+        let Moments { even: evens, odd: odds, whirl } = moments;
         let mut below = self.below.iter();
         for column in 0..H {
             let known = Column { q: rotations(coordinates[column]), q_dot: rotations(rates[column]) };
             let diagonal = &self.diagonal[column];
-            even::<T, W, H, 2>(column, &coordinates, &known, &diagonal[..2], &mut below, &mut evens[..2]);
-            even::<T, W, H, 2>(column, &coordinates, &known, &diagonal[2..4], &mut below, &mut evens[2..4]);
-            even::<T, W, H, 1>(column, &coordinates, &known, &diagonal[4..5], &mut below, &mut evens[4..]);
+            let below = &mut below;
+            even::<T, W, H, G, 2>(column, &coordinates, &known, &diagonal[..2], below, &mut evens[..2]);
+            even::<T, W, H, G, 2>(column, &coordinates, &known, &diagonal[2..4], below, &mut evens[2..4]);
+            even::<T, W, H, G, 1>(column, &coordinates, &known, &diagonal[4..5], below, &mut evens[4..]);
             let mut partial = [Of::<T, W>::ZERO; W];
             for axis in 0..3 {
                 odd::<T, W, H>(
@@ -168,18 +166,15 @@ where
                     &known,
                     two_omega[axis],
                     &diagonal[5 + axis],
-                    &mut below,
+                    below,
                     &mut odds[axis],
-                    &mut whirl,
+                    whirl,
                     &mut partial,
                 );
             }
-            whirl[column] = whirl[column] + collect(&partial);
-        }
-        Moments {
-            even: evens.map(|even| split::<T, W, H, G>(&even)),
-            odd: odds.map(|odd| split::<T, W, H, G>(&odd)),
-            whirl: split::<T, W, H, G>(&whirl),
+            if let Some(place) = blocks_of::<T, W>(whirl).get_mut(column) {
+                *place = (Of::<T, W>::load(place) + collect(&partial)).store();
+            }
         }
     }
 }

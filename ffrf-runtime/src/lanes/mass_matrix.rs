@@ -1,21 +1,17 @@
 //! The dense mass matrix.
 
-use super::equations::Deformed;
+use super::equations::State;
 use super::scalar::{Register, ungroup};
 use super::{Diagonal, Four, LaneBody, Lanes, Scalar};
 
 impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
     /// Writes M(q), columns of N = 6 + M entries. Source: (203), body-resolved, signs corrected.
     #[inline(always)]
-    pub(super) fn write_mass_matrix<const N: usize>(
-        &self,
-        deformed: &Deformed<T, G>,
-        columns: &mut [[T; N]; N],
-    ) {
+    pub(super) fn write_mass_matrix<const N: usize>(&self, state: &State<T, G>, columns: &mut [[T; N]; N]) {
         const { assert!(N == 6 + M) };
         let zero = T::ZERO;
-        let (mass, [x, y, z]) = (self.mass, deformed.first_moment);
-        let [xx, yy, zz, xy, xz, yz] = deformed.inertia;
+        let (mass, [x, y, z]) = (self.mass, state.first_moment);
+        let [xx, yy, zz, xy, xz, yz] = state.inertia;
         let rigid = [
             [mass, zero, zero, zero, z, -y],
             [zero, mass, zero, -z, zero, x],
@@ -37,14 +33,14 @@ impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
                 None => along[6..].fill(zero),
                 Some(moments) => ungroup(|g| moments[g][axis], &mut along[6..]),
             }
-            ungroup(|g| deformed.coupling[axis][g].store(), &mut about[6..]);
+            ungroup(|g| state.modal.odd[axis][g], &mut about[6..]);
         }
         let entries = match self.modal_mass {
             Diagonal::Entries(entries) => Some(entries.as_slice()),
             Diagonal::Zero | Diagonal::Identity => None,
         };
         let moments = self.modal_first_moment.map(|groups| groups.as_slice());
-        let [first, second, third] = &deformed.coupling;
+        let [first, second, third] = &state.modal.odd;
         write_modal_columns::<T, N>([first, second, third], moments, entries, right);
     }
 }
@@ -52,7 +48,7 @@ impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
 /// The columns of the modes. A function of slices, so that one loop serves all modes.
 #[inline(never)]
 fn write_modal_columns<T: Scalar, const N: usize>(
-    [first, second, third]: [&[Register<T>]; 3],
+    [first, second, third]: [&[[T; 4]]; 3],
     moments: Option<&[[[T; 4]; 3]]>,
     modal_mass: Option<&[[T; 4]]>,
     columns: &mut [[T; N]],
@@ -67,8 +63,8 @@ fn write_modal_columns<T: Scalar, const N: usize>(
             Some(modal_mass) => *modal_mass,
             None => [T::ONE; 4],
         };
-        let heads = Register::<T>::transpose([moments[0], moments[1], moments[2], *first]);
-        let (second, third) = (second.store(), third.store());
+        let heads =
+            Register::<T>::transpose([moments[0], moments[1], moments[2], Register::<T>::load(first)]);
         for (k, column) in columns.iter_mut().enumerate().take(4) {
             let Some((top, bottom)) = column.split_first_chunk_mut::<6>() else { return };
             bottom.fill(T::ZERO);

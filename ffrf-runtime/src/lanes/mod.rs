@@ -25,7 +25,7 @@ mod scalar;
 mod vector;
 
 pub use body::{Diagonal, LaneBody};
-pub use equations::{Deformed, Quadratic, State};
+pub use equations::State;
 pub use full_table::FullTable;
 pub use half_table::HalfTable;
 pub use moments::{MomentTable, Moments};
