@@ -93,3 +93,50 @@ fn with_users_name(tokens: TokenStream, name: &Ident) -> TokenStream {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use ffrf_codegen::GenerateOptions;
+
+    use super::*;
+
+    /// The model of the macro's tests, from this crate's folder.
+    const MODEL: &str = "../tests/models/random_m4.ffrf.json";
+
+    #[test]
+    fn the_macro_makes_the_code_that_the_generator_prints() {
+        let tokens = flexible_body(quote! {
+            /// A body.
+            pub struct Part { model: #MODEL, modes: ..3 }
+        });
+        let model = ReducedBody::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(MODEL)).unwrap();
+        let options = GenerateOptions {
+            name: "Part".to_owned(),
+            attributes: vec!["/// A body.".to_owned()],
+            source_name: "random_m4.ffrf.json".to_owned(),
+            modes: Some(3),
+            ..GenerateOptions::default()
+        };
+        let printed: TokenStream = generate(&model, &options).unwrap().text.parse().unwrap();
+        let watch = rebuild_on_change(&LitStr::new(MODEL, Span::call_site()));
+        assert_eq!(tokens.to_string(), quote! { #printed #watch }.to_string());
+    }
+
+    #[test]
+    fn no_machine_path_is_in_the_output() {
+        let tokens = flexible_body(quote! { pub struct Part { model: #MODEL } }).to_string();
+        assert!(!tokens.contains(env!("CARGO_MANIFEST_DIR")));
+        assert!(tokens.contains("include_bytes"));
+    }
+
+    #[test]
+    fn too_many_modes_and_damaged_models_are_reported() {
+        let message = |tokens: TokenStream| flexible_body(tokens).to_string();
+        let few = message(quote! { pub struct Part { model: #MODEL, modes: ..9 } });
+        assert!(few.contains("compile_error") && few.contains("9 modes"), "{few}");
+        let manifest = message(quote! { pub struct Part { model: "Cargo.toml" } });
+        assert!(manifest.contains("compile_error") && manifest.contains("`Cargo.toml`: "), "{manifest}");
+        // The struct is still there, so that its uses are no mistakes.
+        assert!(manifest.contains("pub struct Part ;"), "{manifest}");
+    }
+}

@@ -21,7 +21,8 @@ use proc_macro::TokenStream;
 ///         fidelity: full,                    // optional: rigid, constant, linear, full, or a list of energy terms
 ///         jacobians: true,                   // optional: implement ffrf::FlexibleBodyJacobians as well
 ///         fma: auto,                         // optional: auto (default), on, off
-///         layout_tolerance: 1e-13,           // optional: what counts as zero, relative to its Gram scale
+///         strategy: auto,                    // optional: auto (default), straight_line, lanes
+///         layout_tolerance: 1e-15,           // optional: what counts as zero, relative to its Gram scale
 ///     }
 /// }
 /// ```

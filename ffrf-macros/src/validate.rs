@@ -23,8 +23,8 @@ pub(crate) enum Source {
     Layout { mode_count: usize, layout: Layout, span: Span },
 }
 
-const KEYS: [&str; 8] =
-    ["model", "modes", "layout", "scalar", "fidelity", "jacobians", "fma", "layout_tolerance"];
+const KEYS: [&str; 9] =
+    ["model", "modes", "layout", "scalar", "fidelity", "jacobians", "fma", "strategy", "layout_tolerance"];
 
 /// Checks every field; all mistakes are in the error.
 pub(crate) fn validate(input: &Input) -> syn::Result<Request> {
@@ -47,6 +47,7 @@ pub(crate) fn validate(input: &Input) -> syn::Result<Request> {
     set(&mut options.fidelity, find("fidelity"), values::fidelity, &mut mistakes);
     set(&mut options.jacobians, find("jacobians"), values::jacobians, &mut mistakes);
     set(&mut options.fused_multiply_add, find("fma"), values::fused_multiply_add, &mut mistakes);
+    set(&mut options.strategy, find("strategy"), values::strategy, &mut mistakes);
     set(&mut options.layout_tolerance, find("layout_tolerance"), values::tolerance, &mut mistakes);
     let source = match (find("model"), find("layout")) {
         (Some(model), None) => model_source(model, find("modes"), &mut options, &mut mistakes),

@@ -1,7 +1,7 @@
 //! The values of single fields: what each may be, and what is said if it is something else.
 
 use ffrf_codegen::layout::{Layout, Structure};
-use ffrf_codegen::{Fidelity, FusedMultiplyAdd, ScalarType};
+use ffrf_codegen::{Fidelity, FusedMultiplyAdd, ScalarType, Strategy};
 use proc_macro2::Span;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token};
@@ -66,6 +66,12 @@ pub(crate) fn scalar(field: &Field) -> syn::Result<ScalarType> {
 pub(crate) fn fused_multiply_add(field: &Field) -> syn::Result<FusedMultiplyAdd> {
     use FusedMultiplyAdd::{Auto, Off, On};
     word(field, "auto, on or off", &[("auto", Auto), ("on", On), ("off", Off)])
+}
+
+pub(crate) fn strategy(field: &Field) -> syn::Result<Strategy> {
+    use Strategy::{Auto, Lanes, StraightLine};
+    let words = [Auto, StraightLine, Lanes].map(|strategy| (strategy.name(), strategy));
+    word(field, "auto, straight_line or lanes", &words)
 }
 
 pub(crate) fn jacobians(field: &Field) -> syn::Result<bool> {
