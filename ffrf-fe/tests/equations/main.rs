@@ -2,10 +2,12 @@
 //!
 //! Where print is wrong, the corrected form is asserted and the printed form is shown to fail;
 //! `docs/theory` says which those are and what they do to a simulation.
+#![allow(clippy::expect_used, reason = "a test fails by panicking, in its helpers too")]
 
 mod appendix;
 mod bodies;
 mod check;
+mod misprints;
 mod nodal;
 mod reference;
 mod s6_constraints;

@@ -15,6 +15,8 @@ pub struct Point {
     pub volume: f64,
 }
 
+type ShapeFunctions = fn([f64; 3]) -> Vec<Shape>;
+
 /// Quadrature points of one element; `number` is only for errors.
 ///
 /// Errors: [`FormulationError::Element`].
@@ -24,7 +26,7 @@ pub fn element_points(
     number: usize,
 ) -> Result<Vec<Point>, FormulationError> {
     let defect = |defect| FormulationError::Element { element: number, defect };
-    let (rule, functions, expected): (_, fn([f64; 3]) -> Vec<Shape>, _) = match element.kind {
+    let (rule, functions, expected): (_, ShapeFunctions, _) = match element.kind {
         ElementKind::Tetrahedron4 => (rules::tetrahedron(), shapes::tetrahedron4, 4),
         ElementKind::Tetrahedron10 => (rules::tetrahedron(), shapes::tetrahedron10, 10),
         ElementKind::Hexahedron8 => (rules::hexahedron(), shapes::hexahedron8, 8),
