@@ -36,6 +36,7 @@ mod mode_shapes;
 mod model;
 mod model_files;
 mod node_table;
+mod npz_archive;
 mod numpy;
 mod provenance;
 mod raw_matrix;

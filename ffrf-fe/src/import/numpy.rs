@@ -1,12 +1,12 @@
 //! NumPy `.npy` arrays and `.npz` archives, dense or as `scipy.sparse.save_npz` writes them.
 
-use std::io::{Cursor, Read, Seek};
+use std::io::{Cursor, Read};
 
-use npyz::npz::NpzArchive;
 use npyz::{DType, NpyFile, Order, TypeChar};
 
 use super::entries::Entries;
 use super::node_table::NodeTable;
+use super::npz_archive::NpzArchive;
 use super::raw_matrix::{Dense, Numbering, RawMatrix, Storage};
 use super::source::Source;
 use super::text_table;
@@ -88,15 +88,15 @@ pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, FeError> {
     table.check_size(source)
 }
 
-fn open(source: &Source) -> Result<NpzArchive<Cursor<&[u8]>>, FeError> {
-    NpzArchive::new(Cursor::new(source.bytes())).map_err(|error| unreadable(source, "", &error))
+fn open(source: &Source) -> Result<NpzArchive<'_>, FeError> {
+    NpzArchive::new(source.bytes()).map_err(|error| unreadable(source, "", &error))
 }
 
-fn array<'a, R: Read + Seek>(
+fn array(
     source: &Source,
-    archive: &'a mut NpzArchive<R>,
+    archive: &mut NpzArchive<'_>,
     name: &str,
-) -> Result<NpyFile<impl Read + use<'a, R>>, FeError> {
+) -> Result<NpyFile<Cursor<Vec<u8>>>, FeError> {
     let found = archive.by_name(name).map_err(|error| unreadable(source, name, &error))?;
     found.ok_or_else(|| defect(source, name, "an array of this name", "none"))
 }
@@ -160,17 +160,14 @@ fn number_kind(dtype: &DType) -> Option<(TypeChar, u64)> {
 }
 
 /// The entries of a matrix in the layout of `scipy.sparse.save_npz`: csr, csc or coo.
-fn sparse_entries<R: Read + Seek>(
-    source: &Source,
-    archive: &mut NpzArchive<R>,
-) -> Result<(usize, Entries), FeError> {
+fn sparse_entries(source: &Source, archive: &mut NpzArchive<'_>) -> Result<(usize, Entries), FeError> {
     let values = floats(source, "data", array(source, archive, "data")?)?;
     let shape = integers(source, archive, "shape")?;
     let &[rows, columns] = shape.as_slice() else {
         return Err(defect(source, "shape", "two numbers", shape.len().to_string()));
     };
     let size = RawMatrix::square(source, rows, columns)?;
-    let present = |archive: &NpzArchive<R>, name: &str| archive.array_names().any(|have| have == name);
+    let present = |archive: &NpzArchive<'_>, name: &str| archive.array_names().any(|have| have == name);
     let (rows, columns) = if present(archive, "row") && present(archive, "col") {
         (integers(source, archive, "row")?, integers(source, archive, "col")?)
     } else if present(archive, "indices") && present(archive, "indptr") {
@@ -207,11 +204,7 @@ fn sparse_entries<R: Read + Seek>(
 }
 
 /// A vector of non-negative integers, stored as i4 or i8.
-fn integers<R: Read + Seek>(
-    source: &Source,
-    archive: &mut NpzArchive<R>,
-    name: &str,
-) -> Result<Vec<usize>, FeError> {
+fn integers(source: &Source, archive: &mut NpzArchive<'_>, name: &str) -> Result<Vec<usize>, FeError> {
     let file = array(source, archive, name)?;
     let values: std::io::Result<Vec<i64>> = match number_kind(&file.dtype()) {
         Some((TypeChar::Int, 8)) => file.into_vec(),

@@ -112,7 +112,7 @@ fn ansys_nodes_with_decimal_commas_in_matrix_order() {
     }
 }
 
-fn npy(values: &[f64], shape: &[u64]) -> Vec<u8> {
+fn npy<T: npyz::AutoSerialize + Copy>(values: &[T], shape: &[u64]) -> Vec<u8> {
     use npyz::WriterBuilder;
     let mut bytes = Vec::new();
     let mut writer =
@@ -120,6 +120,15 @@ fn npy(values: &[f64], shape: &[u64]) -> Vec<u8> {
     writer.extend(values.iter().copied()).unwrap();
     writer.finish().unwrap();
     bytes
+}
+
+fn write_npz<'a>(path: &std::path::Path, arrays: impl Iterator<Item = &'a (&'a str, Vec<u8>)>) {
+    let mut archive = zip::ZipWriter::new(std::fs::File::create(path).unwrap());
+    for (name, bytes) in arrays {
+        archive.start_file(format!("{name}.npy"), zip::write::SimpleFileOptions::default()).unwrap();
+        std::io::Write::write_all(&mut archive, bytes).unwrap();
+    }
+    archive.finish().unwrap();
 }
 
 #[test]
@@ -131,20 +140,22 @@ fn numpy_arrays_and_scipy_archives() {
     std::fs::write(folder.path("k.npy"), npy(&flat, &[6, 6])).unwrap();
     let places: Vec<usize> = (0..36).filter(|&place| flat[place] != 0.0).collect();
     let data: Vec<f64> = places.iter().map(|&place| flat[place]).collect();
-    let indices: Vec<u64> = places.iter().map(|&place| place as u64 % 6).collect();
-    let indptr: Vec<usize> =
-        (0..=6).map(|row| places.iter().filter(|&&place| place < 6 * row).count()).collect();
-    let shape = [6, 6];
-    let file = |name: &str| npyz::npz::NpzWriter::new(std::fs::File::create(folder.path(name)).unwrap());
-    let coo_rows = places.iter().map(|&place| place as u64 / 6).collect();
-    let csr =
-        npyz::sparse::Csr { data: data.clone(), shape, indices: indices.clone(), indptr: indptr.clone() };
-    csr.write_npz(&mut file("csr.npz")).unwrap();
-    let csc = npyz::sparse::Csc { data: data.clone(), shape, indices: indices.clone(), indptr };
-    csc.write_npz(&mut file("csc.npz")).unwrap();
-    let coo = npyz::sparse::Coo { data, shape, row: coo_rows, col: indices };
-    coo.write_npz(&mut file("coo.npz")).unwrap();
-    for stiffness in ["k.npy", "csr.npz", "csc.npz", "coo.npz"] {
+    let counted = |numbers: Vec<usize>| {
+        let numbers: Vec<i64> = numbers.into_iter().map(|number| number as i64).collect();
+        npy(&numbers, &[numbers.len() as u64])
+    };
+    let indices = counted(places.iter().map(|&place| place % 6).collect());
+    let rows = counted(places.iter().map(|&place| place / 6).collect());
+    let starts =
+        counted((0..=6).map(|row| places.iter().filter(|&&place| place < 6 * row).count()).collect());
+    let data = npy(&data, &[places.len() as u64]);
+    // What scipy.sparse.save_npz writes, but for `format`, which is a text and only tells that the matrix is sparse.
+    let common = [("format", counted(vec![0])), ("shape", counted(vec![6, 6])), ("data", data)];
+    let compressed = [("indices", indices.clone()), ("indptr", starts)];
+    // Of a symmetric matrix, csr and csc are the same arrays.
+    write_npz(&folder.path("csr.npz"), common.iter().chain(&compressed));
+    write_npz(&folder.path("coo.npz"), common.iter().chain(&[("row", rows), ("col", indices)]));
+    for stiffness in ["k.npy", "csr.npz", "coo.npz"] {
         let files = ModelFiles {
             nodes: NodeSource::Numpy(folder.path("x.npy")),
             mass: Some(folder.path("m.npy")),
