@@ -4,14 +4,11 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
 use faer::linalg::cholesky::llt::factor::{LltError, LltRegularization};
 use faer::sparse::SparseColMat;
-use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
-    factorize_symbolic_cholesky,
-};
+use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering};
 use faer::{Conj, MatMut, Par, Side};
 
 use super::ModeError;
+use super::ordering::{analyse, permutation};
 
 /// The pattern of a factor: it serves every shift of the same problem.
 pub(crate) struct Analysis {
@@ -19,15 +16,15 @@ pub(crate) struct Analysis {
 }
 
 impl Analysis {
-    /// Analyses the pattern of a lower triangle, ordered by approximate minimum degree.
-    pub fn new(lower: &SparseColMat<u32, f64>) -> Result<Self, ModeError> {
-        let params = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            ..Default::default()
-        };
-        let symbolic =
-            factorize_symbolic_cholesky(lower.symbolic(), Side::Lower, SymmetricOrdering::Amd, params)
-                .map_err(|_| ModeError::FactorTooLarge { size: lower.nrows() })?;
+    /// Analyses the pattern of a lower triangle, eliminated in the given order.
+    ///
+    /// Errors: [`ModeError::FactorTooLarge`].
+    pub fn new(lower: &SparseColMat<u32, f64>, order: &[u32]) -> Result<Self, ModeError> {
+        let pattern =
+            lower.symbolic().to_owned().map_err(|_| ModeError::FactorTooLarge { size: lower.nrows() })?;
+        let permutation = permutation(order);
+        let symbolic = analyse(&pattern, SymmetricOrdering::Custom(permutation.as_ref()))
+            .map_err(|_| ModeError::FactorTooLarge { size: lower.nrows() })?;
         Ok(Self { symbolic })
     }
 
@@ -114,6 +111,11 @@ pub(crate) struct Factor<'a> {
 }
 
 impl Factor<'_> {
+    /// The parallelism it was computed with.
+    pub fn par(&self) -> Par {
+        self.par
+    }
+
     /// X := A⁻¹ X.
     pub fn solve_in_place(&self, shapes: MatMut<'_, f64>) {
         let scratch = self.analysis.symbolic.solve_in_place_scratch::<f64>(shapes.ncols(), self.par);

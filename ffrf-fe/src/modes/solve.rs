@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use faer::sparse::SparseColMat;
 use faer::{Mat, Par};
 use ffrf_model::{Mode, ModeKind};
 
@@ -13,6 +14,8 @@ use super::canonical::{settle_repeated, settle_signs};
 use super::dense::{self, Pairs, orthogonality_error};
 use super::factor::Analysis;
 use super::inertia_count::{CountingShift, counting_shift, eigenvalues_below};
+use super::lanczos::{self, subspace_size};
+use super::ordering::order;
 use super::participation::participation;
 use super::problem::Problem;
 use super::rigid::RigidModes;
@@ -23,6 +26,8 @@ use super::{
 
 /// Largest problem that [`Method::Automatic`] solves densely: there both methods take about a second.
 const DENSE_LIMIT: usize = 900;
+/// Modes sought beyond the wanted ones, to see the gap that follows.
+const GUARD: usize = 4;
 /// How often a search is widened before it is given up.
 const ATTEMPTS: usize = 4;
 /// Eigenvalues below this part of the elastic scale are zero: it is the round-off of a solve, not a spring.
@@ -84,35 +89,50 @@ impl Search<'_> {
     fn run(&self, request: &ModeRequest, progress: &mut dyn FnMut(Progress)) -> Result<Found, ModeError> {
         let size = self.problem.dimension();
         let shift = -self.scale;
-        let dense = match request.method {
-            Method::Dense => true,
-            Method::Sparse => false,
-            Method::Automatic => size <= DENSE_LIMIT || 4 * request.count > size,
-        };
         progress(Progress { stage: Stage::Ordering, done: 0, total: 1 });
         let shifted = self.problem.shifted_lower(shift)?;
-        let analysis = Analysis::new(&shifted)?;
-        drop(shifted);
+        let node_of: Vec<usize> = self.problem.free.iter().map(|dof| dof / 3).collect();
+        let ordering = order(&shifted, &node_of, &self.problem.model.nodes.positions)?;
+        let analysis = Analysis::new(&shifted, &ordering.order)?;
         progress(Progress { stage: Stage::Ordering, done: 1, total: 1 });
-        let mut wanted = request.count + 3;
+        let mut shifted = Some(shifted);
+        let mut wanted = request.count + GUARD;
         for _ in 0..ATTEMPTS {
-            let pairs = dense::lowest(self.problem, self.rigid, shift, wanted)?;
+            let dense = self.is_dense(request.method, wanted);
+            let pairs = if dense {
+                dense::lowest(self.problem, self.rigid, shift, wanted)?
+            } else {
+                let matrix = match shifted.take() {
+                    Some(matrix) => matrix,
+                    None => self.problem.shifted_lower(shift)?,
+                };
+                self.iterate(&analysis, matrix, shift, wanted, progress)?
+            };
             let (values, shapes) = self.polish(&pairs)?;
             if values.len() < request.count {
                 return Err(ModeError::TooFewModes { wanted: request.count, available: values.len() });
             }
             let Some(limit) = counting_shift(&values, request.count, pairs.complete, self.scale) else {
-                wanted += 8;
+                wanted += 2 * GUARD;
                 continue;
             };
             progress(Progress { stage: Stage::Counting, done: 0, total: 1 });
             let counted = eigenvalues_below(self.problem, &analysis, limit.shift, self.par)?;
             progress(Progress { stage: Stage::Counting, done: 1, total: 1 });
-            let method = format!("dense reduction of {size} degrees of freedom");
-            let found = Found { values, shapes, limit, counted, method, factor_values: 0 };
             let expected = limit.below + self.rigid.count();
             if counted == expected {
-                return self.settle(found);
+                let (method, factor_values) = if dense {
+                    (format!("dense reduction of {size} degrees of freedom"), 0)
+                } else {
+                    let values = analysis.stored_values();
+                    let method = format!(
+                        "shift-inverted block Lanczos on {size} degrees of freedom, factor of {:.1} million values by {}",
+                        values as f64 * 1e-6,
+                        ordering.method
+                    );
+                    (method, values)
+                };
+                return self.settle(Found { values, shapes, limit, counted, method, factor_values });
             }
             if counted < expected || pairs.complete || dense {
                 return Err(ModeError::ModesMissed {
@@ -121,9 +141,38 @@ impl Search<'_> {
                     below_hz: hertz(limit.shift),
                 });
             }
-            wanted += counted - expected;
+            wanted += counted - expected + GUARD;
         }
         Err(ModeError::NoClearGap { wanted })
+    }
+
+    fn is_dense(&self, method: Method, wanted: usize) -> bool {
+        let size = self.problem.dimension();
+        // The iteration needs room for its subspace; where there is none, the dense method is quick.
+        let no_room = size < 2 * subspace_size(wanted);
+        match method {
+            Method::Dense => true,
+            Method::Sparse => no_room,
+            Method::Automatic => no_room || size <= DENSE_LIMIT,
+        }
+    }
+
+    /// Factors K - σM and iterates. The factor is gone on return, before eigenvalues are counted by another.
+    fn iterate(
+        &self,
+        analysis: &Analysis,
+        shifted: SparseColMat<u32, f64>,
+        shift: f64,
+        wanted: usize,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<Pairs, ModeError> {
+        progress(Progress { stage: Stage::Factorising, done: 0, total: 1 });
+        let factor = analysis.factorise(&shifted, self.par)?;
+        drop(shifted);
+        progress(Progress { stage: Stage::Factorising, done: 1, total: 1 });
+        lanczos::lowest(self.problem, self.rigid, &factor, shift, wanted, &mut |done| {
+            progress(Progress { stage: Stage::Iterating, done, total: wanted });
+        })
     }
 
     /// Removes what is left of rigid motion, then Rayleigh-Ritz: orthonormal shapes to round-off.

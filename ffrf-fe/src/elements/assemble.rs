@@ -1,0 +1,132 @@
+//! Assembly of elements to a model, and a regular brick of hexahedra.
+
+use faer::sparse::SymbolicSparseColMat;
+
+use crate::{Element, ElementKind, FeError, FeModel, Nodes, SparseMatrix};
+
+use super::{ElementError, Material, element_matrices};
+
+/// Assembles isotropic elements of one material.
+///
+/// Errors: [`ElementError`] for a bad element.
+/// Panics: never.
+pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Result<FeModel, FeError> {
+    let count = nodes.len();
+    let neighbours = neighbours(count, &elements)?;
+    let mut mass = Columns::new(&neighbours, 1);
+    let mut stiffness = Columns::new(&neighbours, 3);
+    for element in &elements {
+        let corners: Vec<[f64; 3]> = element.nodes.iter().map(|&row| nodes.positions[row]).collect();
+        let matrices = element_matrices(element.kind, &corners, material)?;
+        for (b, &column) in element.nodes.iter().enumerate() {
+            for (a, &row) in element.nodes.iter().enumerate() {
+                let place = neighbours[column].partition_point(|&other| other < row);
+                mass.add(column, 0, place, 0, matrices.mass[(a, b)]);
+                for j in 0..3 {
+                    for i in 0..3 {
+                        stiffness.add(column, j, place, i, matrices.stiffness[(3 * a + i, 3 * b + j)]);
+                    }
+                }
+            }
+        }
+    }
+    Ok(FeModel {
+        mass: mass.into_matrix(&neighbours),
+        mass_anisotropy: 0.0,
+        stiffness: Some(stiffness.into_matrix(&neighbours)),
+        fixed_dofs: Vec::new(),
+        elements,
+        sources: Vec::new(),
+        nodes,
+    })
+}
+
+/// A rectangular brick of trilinear hexahedra with edges `lengths` (m), one corner at the origin.
+///
+/// Nodes are numbered along x first, then y, then z.
+/// Errors: as [`assemble`], for lengths that are not positive.
+pub fn brick(lengths: [f64; 3], divisions: [usize; 3], material: &Material) -> Result<FeModel, FeError> {
+    let counts = divisions.map(|division| division + 1);
+    let row = |i: usize, j: usize, k: usize| (k * counts[1] + j) * counts[0] + i;
+    let mut positions = Vec::with_capacity(counts.iter().product());
+    for k in 0..counts[2] {
+        for j in 0..counts[1] {
+            for i in 0..counts[0] {
+                let at = [i, j, k];
+                positions
+                    .push([0, 1, 2].map(|axis| lengths[axis] * at[axis] as f64 / divisions[axis] as f64));
+            }
+        }
+    }
+    let mut elements = Vec::with_capacity(divisions.iter().product());
+    for k in 0..divisions[2] {
+        for j in 0..divisions[1] {
+            for i in 0..divisions[0] {
+                let face =
+                    |k: usize| [row(i, j, k), row(i + 1, j, k), row(i + 1, j + 1, k), row(i, j + 1, k)];
+                elements
+                    .push(Element { kind: ElementKind::Hexahedron8, nodes: [face(k), face(k + 1)].concat() });
+            }
+        }
+    }
+    let nodes = Nodes { ids: (1..=positions.len() as u64).collect(), positions, ..Nodes::default() };
+    assemble(nodes, elements, material)
+}
+
+/// Sorted neighbours of each node, itself included.
+fn neighbours(count: usize, elements: &[Element]) -> Result<Vec<Vec<usize>>, ElementError> {
+    let mut lists: Vec<Vec<usize>> = vec![Vec::new(); count];
+    for (number, element) in elements.iter().enumerate() {
+        for &row in &element.nodes {
+            let list =
+                lists.get_mut(row).ok_or(ElementError::UnknownNode { element: number, row, nodes: count })?;
+            list.extend(&element.nodes);
+        }
+    }
+    for list in &mut lists {
+        list.sort_unstable();
+        list.dedup();
+    }
+    Ok(lists)
+}
+
+/// Values of a matrix of small square blocks, column by column.
+struct Columns {
+    block: usize,
+    /// Start of each node's columns, one more entry than nodes.
+    starts: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Columns {
+    fn new(neighbours: &[Vec<usize>], block: usize) -> Self {
+        let mut starts = vec![0];
+        for (node, list) in neighbours.iter().enumerate() {
+            starts.push(starts[node] + list.len() * block * block);
+        }
+        let values = vec![0.0; starts[neighbours.len()]];
+        Self { block, starts, values }
+    }
+
+    /// Adds to the entry of `column`'s direction `j` at its neighbour number `place`, direction `i`.
+    fn add(&mut self, column: usize, j: usize, place: usize, i: usize, value: f64) {
+        let height = (self.starts[column + 1] - self.starts[column]) / self.block;
+        self.values[self.starts[column] + j * height + place * self.block + i] += value;
+    }
+
+    fn into_matrix(self, neighbours: &[Vec<usize>]) -> SparseMatrix {
+        let size = neighbours.len() * self.block;
+        let mut starts = Vec::with_capacity(size + 1);
+        starts.push(0);
+        let mut rows = Vec::with_capacity(self.values.len());
+        for list in neighbours {
+            for _ in 0..self.block {
+                rows.extend(
+                    list.iter().flat_map(|&node| (0..self.block).map(move |i| self.block * node + i)),
+                );
+                starts.push(rows.len());
+            }
+        }
+        SparseMatrix::new(SymbolicSparseColMat::new_checked(size, size, starts, None, rows), self.values)
+    }
+}

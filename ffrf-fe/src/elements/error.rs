@@ -1,0 +1,43 @@
+//! What can go wrong with elements.
+
+use crate::ElementKind;
+
+/// What can go wrong with elements.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ElementError {
+    /// This kind of element has no matrices here.
+    #[error("elements of kind {kind:?} have no matrices here")]
+    Unsupported {
+        /// The kind.
+        kind: ElementKind,
+    },
+    /// A wrong number of nodes.
+    #[error("an element of kind {kind:?} has {expected} nodes, found {found}")]
+    NodeCount {
+        /// The kind.
+        kind: ElementKind,
+        /// Nodes of such an element.
+        expected: usize,
+        /// Nodes given.
+        found: usize,
+    },
+    /// An element that is inside out or flat.
+    #[error(
+        "the Jacobian determinant is {determinant:e} at a quadrature point: the element is inside out or flat"
+    )]
+    Jacobian {
+        /// The determinant. Units: m³.
+        determinant: f64,
+    },
+    /// An element at a row beyond the node table.
+    #[error("element {element}: node row {row} does not exist, there are {nodes} nodes (rows from 0)")]
+    UnknownNode {
+        /// Number of the element from 0.
+        element: usize,
+        /// The row.
+        row: usize,
+        /// Number of nodes N.
+        nodes: usize,
+    },
+}

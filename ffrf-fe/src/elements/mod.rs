@@ -1,0 +1,13 @@
+//! Solid elements for models made here: examples, benchmarks and tests. Imported models bring their own matrices.
+
+mod assemble;
+mod error;
+mod hexahedron8;
+mod isoparametric;
+mod material;
+mod tetrahedron4;
+
+pub use assemble::{assemble, brick};
+pub use error::ElementError;
+pub use isoparametric::{ElementMatrices, QuadraturePoint, element_matrices, quadrature};
+pub use material::Material;
