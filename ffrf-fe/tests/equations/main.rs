@@ -7,6 +7,7 @@
 mod appendix;
 mod bodies;
 mod check;
+mod documented;
 mod misprints;
 mod nodal;
 mod reference;

@@ -7,7 +7,7 @@ use faer::linalg::solvers::Solve;
 use ffrf_fe::formulations::gcms::apply_mass;
 use ffrf_fe::formulations::rotation::{cross, dot, skew};
 
-use crate::bodies::{Body, Kind, State, each_state};
+use crate::bodies::{Body, State, each_state};
 use crate::check::{as_vector, column, largest, scaled};
 use crate::nodal;
 use crate::s7_inertia::{inertia_of, inertia_printed, inertia_vector};
@@ -226,11 +226,11 @@ fn defects(print: Print, body: &Body, state: &State) -> Defects {
     }
 }
 
-/// Largest defects over the unsymmetric bodies with more than one mode.
+/// Largest defects over the random bodies with more than one mode.
 fn worst(print: Print) -> Defects {
     let mut worst = Defects { lowest_eigenvalue: f64::INFINITY, ..Defects::default() };
     each_state(|body, state| {
-        if body.kind == Kind::Unsymmetric && body.mode_count() > 1 && !body.name.contains("truss") {
+        if body.name.starts_with("random") && body.mode_count() > 1 {
             let found = defects(print, body, state);
             worst = Defects {
                 acceleration: worst.acceleration.max(found.acceleration),

@@ -7,3 +7,4 @@ mod elastic_force;
 mod equivalence;
 mod modes;
 mod tolerances;
+mod validity;
