@@ -5,10 +5,7 @@ use nalgebra::{RealField, SMatrix, SVector, Vector3};
 use crate::Marker;
 
 /// Mass matrix, quadratic velocity vector and accelerations of one state, from one pass.
-///
-/// In memory the three parts follow each other, so that programs in other languages can read them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(C)]
 pub struct EquationsOfMotion<const M: usize, const N: usize, T = f64> {
     /// Mass matrix M(q). Shape: N x N.
     pub mass_matrix: SMatrix<T, N, N>,
@@ -52,16 +49,23 @@ pub trait FlexibleBody<const M: usize, const N: usize, T = f64> {
         q_dot: &SVector<T, M>,
         force: &SVector<T, N>,
     ) -> EquationsOfMotion<M, N, T>;
-    /// [`FlexibleBody::equations_of_motion`] into a place that is used again: a large matrix is not moved.
+    /// [`FlexibleBody::equations_of_motion`] into given places: with many modes, moving the matrix costs as much
+    /// as computing it.
+    #[allow(clippy::too_many_arguments)] // inputs and outputs, each in its place
     fn write_equations_of_motion(
         &self,
         q: &SVector<T, M>,
         omega: &Vector3<T>,
         q_dot: &SVector<T, M>,
         force: &SVector<T, N>,
-        equations: &mut EquationsOfMotion<M, N, T>,
+        mass_matrix: &mut SMatrix<T, N, N>,
+        quadratic_velocity: &mut SVector<T, N>,
+        acceleration: &mut SVector<T, N>,
     ) {
-        *equations = self.equations_of_motion(q, omega, q_dot, force);
+        let equations = self.equations_of_motion(q, omega, q_dot, force);
+        *mass_matrix = equations.mass_matrix;
+        *quadratic_velocity = equations.quadratic_velocity;
+        *acceleration = equations.acceleration;
     }
     /// Kinetic energy; `velocity` is that of the frame origin. Units: J.
     fn kinetic_energy(

@@ -52,12 +52,15 @@ where
         Column {
             name: format!("{name} equations_of_motion"),
             call: Box::new(move |k| {
+                let EquationsOfMotion { mass_matrix, quadratic_velocity, acceleration } = &mut *equations;
                 body.write_equations_of_motion(
                     &s.q[k],
                     &s.omega[k],
                     &s.q_dot[k],
                     &s.force[k],
-                    &mut equations,
+                    mass_matrix,
+                    quadratic_velocity,
+                    acceleration,
                 );
                 black_box(&*equations);
             }),

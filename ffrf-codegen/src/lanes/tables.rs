@@ -52,6 +52,8 @@ pub(crate) struct LaneTables {
     pub(crate) trace: Diagonal,
     pub(crate) modal_mass: Diagonal,
     pub(crate) modal_compliance: Diagonal,
+    /// K_ff and D_ff if both are diagonal.
+    pub(crate) internal: Option<[Diagonal; 2]>,
     pub(crate) moments: Moments,
     pub(crate) storage: Storage,
 }
@@ -109,6 +111,9 @@ impl LaneTables {
             trace: diagonal((0..modes).map(|mu| value(body.mode_mode[mu][mu].even[0])).collect()),
             modal_compliance: diagonal(modal_mass.iter().map(|mass| 1.0 / mass).collect()),
             modal_mass: diagonal(modal_mass),
+            internal: diagonal_of(graph, &body.stiffness)
+                .zip(diagonal_of(graph, &body.damping))
+                .map(|(stiffness, damping)| [stiffness, damping]),
             moments: Moments { entries, modes },
             storage,
         })
@@ -158,6 +163,18 @@ fn storage(modes: usize, scalar: ScalarType, is_empty: bool) -> Storage {
         let width = 32 / scalar_bytes(scalar);
         Storage::Half { width, rows: modes.div_ceil(width) }
     }
+}
+
+/// The diagonal of a matrix that has nothing else.
+fn diagonal_of(graph: &Graph, matrix: &[Vec<Expression>]) -> Option<Diagonal> {
+    let mut entries = Vec::with_capacity(matrix.len());
+    for (mu, row) in matrix.iter().enumerate() {
+        if row.iter().enumerate().any(|(nu, entry)| mu != nu && !graph.is_zero(*entry)) {
+            return None;
+        }
+        entries.push(graph.constant_value(row[mu])?);
+    }
+    Some(diagonal(entries))
 }
 
 fn is_zero(numbers: &[f64]) -> bool {

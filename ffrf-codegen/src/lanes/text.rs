@@ -31,7 +31,10 @@ pub(crate) fn functions(
     let (modes, size, scalar) = (tables.modes, 6 + tables.modes, scalar.name());
     let (coordinates, space, vector) =
         (format!("&[{scalar}; {modes}]"), format!("&[{scalar}; 3]"), format!("[{scalar}; {size}]"));
-    let net = "&support::lanes::net_force(force, &internal_force(q, q_dot))";
+    let net = match tables.internal {
+        Some(_) => "q, q_dot, force",
+        None => "q, q_dot, &support::lanes::net_force(force, &internal_force(q, q_dot))",
+    };
     // Few modes: one function is fastest. Many: what all kernels share is kept once.
     let inline = if modes <= LARGEST_INLINE { "#[inline(always)]" } else { "#[inline(never)]" };
     let groups = tables.groups;
@@ -98,6 +101,10 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
     let (modes, size, scalar) = (tables.modes, 6 + tables.modes, scalar.name());
     let vector = |size: usize| format!("&::ffrf::nalgebra::SVector<{scalar}, {size}>");
     let (coordinates, forces) = (vector(modes), vector(size));
+    let force = match tables.internal {
+        Some(_) => "support::array(force)",
+        None => "&support::lanes::net_force(support::array(force), &internal_force(q, q_dot))",
+    };
     format!(
         "
         #[inline]
@@ -107,16 +114,20 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
             omega: &::ffrf::nalgebra::Vector3<{scalar}>,
             q_dot: {coordinates},
             force: {forces},
-            equations: &mut ::ffrf::EquationsOfMotion<{modes}, {size}, {scalar}>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<{scalar}, {size}, {size}>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<{scalar}, {size}>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<{scalar}, {size}>,
         ) {{
             let (q, q_dot) = (support::array(q), support::array(q_dot));
-            let force = support::lanes::net_force(support::array(force), &internal_force(q, q_dot));
+            let force = {force};
             BODY.write_equations_of_motion(
                 &state(q, support::array(omega), q_dot),
-                &force,
-                support::columns_mut(&mut equations.mass_matrix),
-                support::array_mut(&mut equations.quadratic_velocity),
-                support::array_mut(&mut equations.acceleration),
+                q,
+                q_dot,
+                force,
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
         }}
 "
@@ -172,6 +183,13 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
     let modal_mass = diagonal("MODAL_MASS", "Θ_ff. Layout: group, lane.", &tables.modal_mass);
     let modal_compliance =
         diagonal("MODAL_COMPLIANCE", "Θ_ff⁻¹. Layout: group, lane.", &tables.modal_compliance);
+    let (stiffness, damping) = match &tables.internal {
+        Some([stiffness, damping]) => (
+            diagonal("STIFFNESS", "K_ff. Layout: group, lane.", stiffness),
+            diagonal("DAMPING", "D_ff. Layout: group, lane.", damping),
+        ),
+        None => (diagonal("", "", &Diagonal::Zero), diagonal("", "", &Diagonal::Zero)),
+    };
     let (kind, moments) = moments(tables, scalar);
     let array = |numbers: &[f64]| row(numbers.len(), scalar, |k| numbers[k]);
     let first_moment = tables
@@ -192,6 +210,8 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
         trace: {trace},
         modal_mass: {modal_mass},
         modal_compliance: {modal_compliance},
+        stiffness: {stiffness},
+        damping: {damping},
         moments: {moments},
     }};",
         tables.moment_bytes(scalar),

@@ -36,6 +36,10 @@ pub struct LaneBody<T: 'static, const M: usize, const G: usize, P: 'static> {
     pub modal_mass: Diagonal<T, G>,
     /// Θ_ff⁻¹.
     pub modal_compliance: Diagonal<T, G>,
+    /// K_ff if it is diagonal; otherwise zero, and elastic forces are subtracted from `force` by the caller.
+    pub stiffness: Diagonal<T, G>,
+    /// D_ff in the same way.
+    pub damping: Diagonal<T, G>,
     /// Moments T_μν.
     pub moments: P,
 }

@@ -2,7 +2,7 @@
 
 use super::equations::{State, sums};
 use super::rigid::{dot, inverse, subtract, times};
-use super::scalar::{Register, grouped, ungroup};
+use super::scalar::{Register, grouped, groups, ungroup};
 use super::{LaneBody, Lanes, MomentTable, Scalar};
 
 impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
@@ -27,48 +27,70 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
     pub fn equations_of_motion<const N: usize>(
         &self,
         state: &State<T, G>,
+        q: &[T; M],
+        q_dot: &[T; M],
         force: &[T; N],
     ) -> ([[T; N]; N], [T; N], [T; N]) {
         let mut results = ([[T::ZERO; N]; N], [T::ZERO; N], [T::ZERO; N]);
         let (columns, quadratic, accelerations) = &mut results;
-        self.write_equations_of_motion(state, force, columns, quadratic, accelerations);
+        self.write_equations_of_motion(state, q, q_dot, force, columns, quadratic, accelerations);
         results
     }
 
     /// [`LaneBody::equations_of_motion`] into given places: a large matrix is not moved.
     #[inline(always)]
+    #[allow(clippy::too_many_arguments)] // inputs and outputs, each in its place
     pub fn write_equations_of_motion<const N: usize>(
         &self,
         state: &State<T, G>,
+        q: &[T; M],
+        q_dot: &[T; M],
         force: &[T; N],
         mass_matrix: &mut [[T; N]; N],
         quadratic_velocity: &mut [T; N],
         acceleration: &mut [T; N],
     ) {
-        self.write_accelerations(state, force, acceleration);
+        self.write_accelerations(state, q, q_dot, force, acceleration);
         state.write_quadratic_velocity(quadratic_velocity);
         self.write_mass_matrix(state, mass_matrix);
     }
 
-    /// Accelerations [α; ω̇; q̈] under `force`, from which elastic and damping forces are subtracted already.
+    /// Accelerations [α; ω̇; q̈] under `force`, from which the caller subtracts the elastic and damping
+    /// forces that are not in [`LaneBody::stiffness`] and [`LaneBody::damping`].
     ///
     /// M⁻¹ (force - Q): q̈ by the diagonal Θ_ff, α by a constant matrix, ω̇ by a 3 x 3 inverse.
     #[inline(always)]
-    pub fn forward_dynamics<const N: usize>(&self, state: &State<T, G>, force: &[T; N]) -> [T; N] {
+    pub fn forward_dynamics<const N: usize>(
+        &self,
+        state: &State<T, G>,
+        q: &[T; M],
+        q_dot: &[T; M],
+        force: &[T; N],
+    ) -> [T; N] {
         let mut entries = [T::ZERO; N];
-        self.write_accelerations(state, force, &mut entries);
+        self.write_accelerations(state, q, q_dot, force, &mut entries);
         entries
     }
 
     #[inline(always)]
-    fn write_accelerations<const N: usize>(&self, state: &State<T, G>, force: &[T; N], entries: &mut [T; N]) {
+    fn write_accelerations<const N: usize>(
+        &self,
+        state: &State<T, G>,
+        q: &[T; M],
+        q_dot: &[T; M],
+        force: &[T; N],
+        entries: &mut [T; N],
+    ) {
         const { assert!(N == 6 + M) };
         let mut modal: [Register<T>; G] = grouped(&force[6..]);
+        let (q, q_dot) = (groups::<T, M, G>(q), groups::<T, M, G>(q_dot));
         let mut coupled = [Register::<T>::ZERO; 9];
         let mut shared = [Register::<T>::ZERO; 9];
         let mut carried = [Register::<T>::ZERO; 3];
         for g in 0..G {
             modal[g] = modal[g] - Register::<T>::load(&state.modal.whirl[g]);
+            modal[g] = self.stiffness.subtract_product(g, q[g], modal[g]);
+            modal[g] = self.damping.subtract_product(g, q_dot[g], modal[g]);
             let rows = state.coupling(g);
             let weighted = rows.map(|row| self.modal_compliance.times(g, row));
             let free = self.modal_compliance.times(g, modal[g]);

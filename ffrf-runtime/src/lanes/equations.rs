@@ -43,6 +43,23 @@ impl<T: Scalar, const G: usize> Diagonal<T, G> {
     }
 }
 
+impl<T: Scalar, const G: usize> Diagonal<T, G> {
+    /// `term` less the entries of a group times `lanes`.
+    #[inline(always)]
+    pub(super) fn subtract_product(
+        &self,
+        group: usize,
+        lanes: Register<T>,
+        term: Register<T>,
+    ) -> Register<T> {
+        match self {
+            Self::Zero => term,
+            Self::Identity => term - lanes,
+            Self::Entries(entries) => Register::<T>::load(&entries[group]).subtract_from(lanes, term),
+        }
+    }
+}
+
 /// Horizontal sums of many registers, four at a time.
 #[inline(always)]
 pub(super) fn sums<T: Scalar, const K: usize>(registers: [Register<T>; K]) -> [T; K] {

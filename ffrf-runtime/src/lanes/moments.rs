@@ -6,6 +6,7 @@ use super::Scalar;
 ///
 /// The trace is not here: with a diagonal Θ_ff it is known without a product.
 #[derive(Clone, Copy)]
+#[repr(C, align(64))]
 pub struct Moments<T: Scalar, const G: usize> {
     /// q_ν T_νμ in yy, zz, xy + yx, xz + zx, yz + zy.
     pub even: [[[T; 4]; G]; 5],
