@@ -4,6 +4,8 @@
 //! → generalised component modes (GCMS, Sections 4-5) → constraints and their null space (Section 6)
 //! → projection (Section 7) → floating frame (Section 8).
 //! Every numbered equation that claims something checkable is a test in `tests/equations`.
+//!
+#![doc = include_str!("../../../docs/theory/README.md")]
 
 pub mod constraints;
 pub mod corotated;

@@ -8,6 +8,7 @@ mod appendix;
 mod bodies;
 mod check;
 mod documented;
+mod dropped_terms;
 mod misprints;
 mod nodal;
 mod reference;

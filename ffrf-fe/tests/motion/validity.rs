@@ -72,3 +72,79 @@ fn a_spun_up_beam_loses_its_stiffness_at_its_first_bending_frequency() {
     // The centrifugal force is finite there, so that the deflection has no limit.
     assert!(at_rest.norm_max() > 0.0);
 }
+
+/// Tip deflection in the plane over a spin-up to `spin` in 15 s, hub rate Ω/T (t - T/2π sin 2π t/T): at the largest
+/// and at the end, 20 s. Lowest modes only; the frame is the hub.
+fn spin_up(body: &FloatingBody, tip: &[f64], spin: f64) -> (f64, f64) {
+    const TIME: f64 = 15.0;
+    let modes = body.modes();
+    let hub = |t: f64| {
+        if t >= TIME {
+            return (spin, 0.0);
+        }
+        let turn = std::f64::consts::TAU;
+        (
+            spin / TIME * (t - TIME / turn * (turn * t / TIME).sin()),
+            spin / TIME * (1.0 - (turn * t / TIME).cos()),
+        )
+    };
+    let slope = |t: f64, q: &[f64], rate: &[f64]| -> Vec<f64> {
+        let (omega, alpha) = hub(t);
+        let forces = body.gyroscopic(q, [0.0, 0.0, omega], rate);
+        let mass = body.mass_matrix(q);
+        // Mass-normalised modes: Θ_ff = I.
+        (0..modes)
+            .map(|mu| {
+                let elastic: f64 = (0..modes).map(|nu| body.stiffness[(mu, nu)] * q[nu]).sum();
+                -forces[(6 + mu, 0)] - mass[(6 + mu, 5)] * alpha - elastic
+            })
+            .collect()
+    };
+    let (mut q, mut rate) = (vec![0.0; modes], vec![0.0; modes]);
+    let (h, mut largest, mut last) = (2e-3, 0.0_f64, 0.0);
+    for step in 0..10_000 {
+        let t = f64::from(step) * h;
+        let moved = |a: &[f64], b: &[f64], by: f64| -> Vec<f64> {
+            a.iter().zip(b).map(|(a, b)| a + by * b).collect()
+        };
+        let k1 = slope(t, &q, &rate);
+        let (q2, v2) = (moved(&q, &rate, 0.5 * h), moved(&rate, &k1, 0.5 * h));
+        let k2 = slope(t + 0.5 * h, &q2, &v2);
+        let (q3, v3) = (moved(&q, &v2, 0.5 * h), moved(&rate, &k2, 0.5 * h));
+        let k3 = slope(t + 0.5 * h, &q3, &v3);
+        let (q4, v4) = (moved(&q, &v3, h), moved(&rate, &k3, h));
+        let k4 = slope(t + h, &q4, &v4);
+        for mu in 0..modes {
+            q[mu] += h / 6.0 * (rate[mu] + 2.0 * v2[mu] + 2.0 * v3[mu] + v4[mu]);
+            rate[mu] += h / 6.0 * (k1[mu] + 2.0 * k2[mu] + 2.0 * k3[mu] + k4[mu]);
+        }
+        last = tip.iter().zip(&q).map(|(shape, q)| shape * q).sum::<f64>();
+        if last.abs() > f64::abs(largest) {
+            largest = last;
+        }
+    }
+    (largest, last)
+}
+
+/// The centrifugal force has a part across the beam, which lies beside the axis. Below the critical spin the deflection
+/// is finite and grows with the softening; above it, it grows without limit, and nothing warns.
+#[test]
+fn a_spin_up_shows_the_missing_stiffening() {
+    let model = beam([8, 1, 1]);
+    let (shapes, frequencies) = clamped_modes(&model);
+    let low = shapes.subcols(0, 4).to_owned();
+    let body = FloatingBody::new(&model, low.as_ref()).expect("a model with stiffness");
+    let tip: Vec<f64> = (0..4).map(|mu| low[(3 * (model.nodes.len() - 1) + 1, mu)]).collect();
+    let table: Vec<_> = [0.3, 0.7, 0.9, 1.1]
+        .iter()
+        .map(|part| {
+            let (largest, end) = spin_up(&body, &tip, part * frequencies[0]);
+            println!(
+                "spin {part} of the bending frequency: tip {largest:.3e} m at most, {end:.3e} m at the end"
+            );
+            (largest.abs(), end.abs())
+        })
+        .collect();
+    assert!(table[0].0 < 0.1 && table[0].1 < 0.01, "slow: the deflection is small");
+    assert!(table[3].1 > 10.0, "above the critical spin it leaves the part's own size behind");
+}

@@ -4,6 +4,8 @@
 //! Both have the same equations, because A_bd commutes with Φ: coordinates come in triples, the mass matrix is
 //! constant, M_s ⊗ I3, and the elastic energy is ½ sᵀ K s with s = A_bdᵀ r - x. So one [`CorotatedModel`] serves
 //! both, and [`Midpoint`] integrates both.
+//!
+#![doc = include_str!("../../../../docs/theory/equivalence.md")]
 
 mod elastic;
 mod frame;

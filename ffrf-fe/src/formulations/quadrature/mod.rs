@@ -4,6 +4,8 @@
 //! (112), (114), (122), (125), (131). Here they are evaluated element by element, sharing no formula with the
 //! invariants that this crate takes from the assembled mass matrix, so that the two can be compared one to one.
 //! Commercial codes often replace the consistent mass by a lumped one; [`LumpedMass`] says what that costs.
+//!
+#![doc = include_str!("../../../../docs/theory/lumped_mass.md")]
 
 mod integrals;
 mod lumping;
