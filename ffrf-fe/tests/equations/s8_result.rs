@@ -2,6 +2,8 @@
 
 use faer::Mat;
 use faer::linalg::solvers::Solve;
+use ffrf_fe::formulations::floating::FloatingBody;
+use ffrf_fe::formulations::gcms::gram_matrix;
 use ffrf_fe::formulations::rotation::{axial, skew};
 
 use crate::bodies::{Body, State, each_body, each_state};
@@ -166,5 +168,21 @@ fn equation_209_generalized_angular_momentum() {
                 different(&column(&[l_ff(body, state)[(mu, nu)]]), &projected);
             }
         }
+    });
+}
+
+/// The library's floating frame, built from the Gram matrix, is the nodal one in body axes.
+#[test]
+fn equations_185_203_floating_body_of_the_library() {
+    each_state(|body, state| {
+        let omega = as_vector(&(state.a.transpose() * &state.omega));
+        let in_body_axes = State::new([1.0, 0.0, 0.0, 0.0], omega, state.q.clone(), state.q_dot.clone());
+        let floating = FloatingBody {
+            gram: gram_matrix(&body.positions, body.shapes.as_ref(), &body.mass),
+            stiffness: Mat::zeros(body.mode_count(), body.mode_count()),
+        };
+        equal(&floating.mass_matrix(&state.q), &nodal::mass_matrix(body, &in_body_axes));
+        let found = floating.gyroscopic(&state.q, omega, &state.q_dot);
+        equal(&found, &nodal::gyroscopic(body, &in_body_axes));
     });
 }
