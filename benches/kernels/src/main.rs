@@ -42,7 +42,7 @@ where
     B: FlexibleBody<M, N, T>,
 {
     let zero = SVector::<T, N>::zeros();
-    let mut equations = Box::new(EquationsOfMotion {
+    let mut equations = Box::new(EquationsOfMotion::<M, N, T> {
         mass_matrix: SMatrix::<T, N, N>::zeros(),
         quadratic_velocity: zero,
         acceleration: zero,
