@@ -1,0 +1,53 @@
+#!/bin/bash
+# Counts the instructions of one call of each kernel under callgrind and compares them with instruction_counts.json.
+# usage: instruction_counts.sh [--update]. Fails if a count grew by more than 3 %. Skips, loudly, without valgrind.
+# Built for x86-64-v3 (AVX2), the widest that valgrind can run; times are for another day, counts hardly change with load.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+if ! command -v valgrind > /dev/null || [ "$(uname -m)" != x86_64 ]; then
+    echo "SKIPPED: instruction counts need valgrind on x86-64" >&2
+    exit 0
+fi
+target=${CARGO_TARGET_DIR:-$here/kernels/target}/instruction-counts
+RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=$target \
+    cargo build --release --quiet --manifest-path "$here/kernels/Cargo.toml" --bin count || exit 1
+scratch=$(mktemp -d)
+trap 'rm -r "$scratch"' EXIT
+counts() { # name: instructions of a hundred calls less those of none, by the hundred
+    local with without
+    for calls in 0 100; do
+        valgrind --tool=callgrind --callgrind-out-file="$scratch/out" "$target/release/count" "$1" $calls \
+            > /dev/null 2> "$scratch/log" || { cat "$scratch/log" >&2; return 1; }
+        [ $calls = 0 ] && without=$(awk '/^(totals|summary):/ {print $2; exit}' "$scratch/out")
+        [ $calls = 100 ] && with=$(awk '/^(totals|summary):/ {print $2; exit}' "$scratch/out")
+    done
+    echo $(((with - without) / 100))
+}
+{
+    echo "{"
+    separator=""
+    for name in $("$target/release/count" --list); do
+        printf '%s  "%s": %s' "$separator" "$name" "$(counts "$name")"
+        separator=$',\n'
+    done
+    printf '\n}\n'
+} > "$scratch/counts.json"
+if [ "${1:-}" = --update ]; then
+    cp "$scratch/counts.json" "$here/instruction_counts.json"
+    cat "$here/instruction_counts.json"
+    exit 0
+fi
+python3 - "$here/instruction_counts.json" "$scratch/counts.json" <<'PYTHON'
+import json
+import sys
+
+before, now = (json.load(open(path)) for path in sys.argv[1:])
+grown = 0
+for name in sorted(set(before) | set(now)):
+    old, new = before.get(name), now.get(name)
+    verdict = "new" if old is None else "gone" if new is None else f"{new / old - 1:+.1%}"
+    if old is None or new is None or new > 1.03 * old:
+        grown, verdict = 1, verdict + "  <-- run with --update if this is meant"
+    print(f"{name:32} {old!s:>8} {new!s:>8} {verdict}")
+sys.exit(grown)
+PYTHON
