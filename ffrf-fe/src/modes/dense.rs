@@ -14,9 +14,7 @@ use super::rigid::RigidModes;
 
 /// Eigenpairs found by a solver, rigid-body modes left out.
 pub(crate) struct Pairs {
-    /// Eigenvalues λ = ω², ascending.
-    pub values: Vec<f64>,
-    /// Eigenvectors on the free degrees of freedom, one per eigenvalue.
+    /// Eigenvectors on the free degrees of freedom, in ascending order of λ = ω².
     pub shapes: Mat<f64>,
     /// True if the problem has no further elastic eigenpairs with finite eigenvalue.
     pub complete: bool,
@@ -52,8 +50,7 @@ pub(crate) fn lowest(
     let count = wanted.min(elastic);
     let mut shapes = Mat::from_fn(size, count, |i, j| vectors[(i, size - 1 - j)]);
     solve_upper_triangular_in_place(lower.transpose(), shapes.as_mut(), par);
-    let values = (0..count).map(|j| shift + inverse_values[size - 1 - j].recip()).collect();
-    Ok(Pairs { values, shapes, complete: count == elastic })
+    Ok(Pairs { shapes, complete: count == elastic })
 }
 
 /// Pairs of K y = λ M y for small dense matrices: λ ascending, YᵀMY = I.

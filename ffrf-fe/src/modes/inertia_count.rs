@@ -1,7 +1,5 @@
 //! Counting eigenvalues below a shift, so that no mode is missed silently (Sturm count).
 
-use faer::Par;
-
 use super::ModeError;
 use super::factor::Analysis;
 use super::problem::Problem;
@@ -13,9 +11,8 @@ pub(crate) fn eigenvalues_below(
     problem: &Problem<'_>,
     analysis: &Analysis,
     shift: f64,
-    par: Par,
 ) -> Result<usize, ModeError> {
-    analysis.negative_pivots(&problem.shifted_lower(shift)?, par)
+    analysis.negative_pivots(&problem.shifted_lower(shift)?)
 }
 
 /// Where to count, given eigenvalues in ascending order of which the first `wanted` are to be returned.
@@ -52,7 +49,12 @@ pub(crate) fn counting_shift(
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
+    use super::super::ordering::order;
+    use super::super::{ModeRequest, Support, compute_modes};
     use super::*;
+    use crate::elements::{Material, brick};
 
     #[test]
     fn shift_stands_in_the_first_clear_gap_behind_a_pair() {
@@ -66,5 +68,32 @@ mod tests {
     fn more_values_are_asked_for_when_the_last_pair_may_be_cut() {
         assert_eq!(counting_shift(&[1.0, 2.0, 2.0 + 1e-9], 2, false, 1.0), None);
         assert!(counting_shift(&[1.0, 2.0, 2.0 + 1e-9], 2, true, 1.0).is_some());
+    }
+
+    #[test]
+    fn a_missing_mode_is_noticed() {
+        let model = brick([0.3, 0.2, 0.1], [3, 2, 2], &Material::STEEL).expect("a sound brick");
+        let problem = Problem::new(&model, &Support::FreeFree).expect("a free brick");
+        let solution = compute_modes(&model, &ModeRequest::free_free(10), &mut |_| {}).expect("ten modes");
+        let mut values: Vec<f64> = solution
+            .report
+            .modes
+            .iter()
+            .map(|mode| (TAU * mode.frequency_hz.expect("eigenmodes have frequencies")).powi(2))
+            .collect();
+        let lower = problem.shifted_lower(-values[0]).expect("sorted columns");
+        let node_of: Vec<usize> = problem.free.iter().map(|dof| dof / 3).collect();
+        let ordering = order(&lower, &node_of, &model.nodes.positions).expect("a small factor");
+        let analysis = Analysis::new(&lower, &ordering.order).expect("a small factor");
+        let count = |values: &[f64]| {
+            let limit = counting_shift(values, 5, false, values[0]).expect("a gap before the last");
+            let counted = eigenvalues_below(&problem, &analysis, limit.shift).expect("no zero pivot");
+            (limit.below + solution.report.rigid_modes.len(), counted)
+        };
+        let (found, counted) = count(&values);
+        assert_eq!(found, counted);
+        values.remove(3);
+        let (found, counted) = count(&values);
+        assert_eq!(found + 1, counted);
     }
 }

@@ -10,14 +10,18 @@ use super::ModeError;
 use super::block::{gram, product, subtract_product, symmetric_eigen};
 use super::dense::Pairs;
 use super::factor::Factor;
+use super::inertia_count::counting_shift;
 use super::problem::Problem;
 use super::random::Random;
 use super::rigid::RigidModes;
 
-/// Vectors per block: at least the multiplicities that symmetric parts have, few enough to stay in cache.
-pub(crate) const BLOCK: usize = 6;
-/// Residual of (K - σM)⁻¹ M φ = θ φ, relative to θ, in the mass norm.
+/// Vectors per block: at least the multiplicities that symmetric parts have, and two halves that fill the
+/// four columns of the dense kernels.
+pub(crate) const BLOCK: usize = 8;
+/// Residual of (K - σM)⁻¹ M φ = θ φ, relative to θ, in the mass norm, of the modes to be returned.
 const TOLERANCE: f64 = 1e-11;
+/// The same of the modes behind them, of which only the eigenvalue is of interest: it is exact to the square.
+const LOOSE: f64 = 1e-4;
 /// Block solves after which the iteration is given up.
 const MAX_SOLVES: usize = 400;
 /// Columns that orthogonalisation shrinks below this part of their length are round-off.
@@ -28,7 +32,7 @@ pub(crate) fn subspace_size(wanted: usize) -> usize {
     2 * wanted + 6 * BLOCK
 }
 
-/// The lowest `wanted` elastic eigenpairs; possibly a few more.
+/// The lowest elastic eigenpairs, up to the first clear gap behind the `wanted` ones and a little beyond.
 ///
 /// `progress` is told how many pairs have converged.
 /// Errors: [`ModeError::NotConverged`], [`ModeError::EigenvaluesNotFound`].
@@ -38,28 +42,27 @@ pub(crate) fn lowest(
     factor: &Factor<'_>,
     shift: f64,
     wanted: usize,
+    threads: usize,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Pairs, ModeError> {
-    let mut space = Subspace::new(problem, rigid, factor, subspace_size(wanted));
-    for solves in 1..=MAX_SOLVES {
+    let mut space = Subspace::new(problem, rigid, factor, subspace_size(wanted), threads);
+    let mut converged = 0;
+    for _ in 0..MAX_SOLVES {
         let residual_factor = space.extend();
         let ritz = space.ritz(&residual_factor)?;
-        let converged = ritz.converged();
+        converged = ritz.converged(TOLERANCE);
         progress(converged.min(wanted));
-        if converged >= wanted {
-            let count = converged.min(wanted + BLOCK);
-            let shapes = product(space.active(), ritz.leading(count).as_ref(), Par::Seq);
-            let values = ritz.values[..count].iter().map(|theta| shift + theta.recip()).collect();
-            return Ok(Pairs { values, shapes, complete: false });
-        }
-        if solves == MAX_SOLVES {
-            return Err(ModeError::NotConverged { wanted, converged, solves });
+        let seen = ritz.converged(LOOSE);
+        let values: Vec<f64> = ritz.values[..seen].iter().map(|theta| shift + theta.recip()).collect();
+        if counting_shift(&values, wanted, false, shift.abs()).is_some_and(|limit| limit.below <= converged) {
+            let shapes = product(space.active(), ritz.leading(seen).as_ref(), Par::Seq);
+            return Ok(Pairs { shapes, complete: false });
         }
         if space.is_full() {
-            space.restart(&ritz, wanted + BLOCK);
+            space.restart(&ritz, seen.max(wanted) + BLOCK);
         }
     }
-    Err(ModeError::NotConverged { wanted, converged: 0, solves: MAX_SOLVES })
+    Err(ModeError::NotConverged { wanted, converged, solves: MAX_SOLVES })
 }
 
 struct Subspace<'a> {
@@ -75,10 +78,17 @@ struct Subspace<'a> {
     projected: Mat<f64>,
     active: usize,
     capacity: usize,
+    threads: usize,
 }
 
 impl<'a> Subspace<'a> {
-    fn new(problem: &'a Problem<'a>, rigid: &'a RigidModes, factor: &'a Factor<'a>, capacity: usize) -> Self {
+    fn new(
+        problem: &'a Problem<'a>,
+        rigid: &'a RigidModes,
+        factor: &'a Factor<'a>,
+        capacity: usize,
+        threads: usize,
+    ) -> Self {
         let size = problem.dimension();
         let mut space = Self {
             problem,
@@ -90,6 +100,7 @@ impl<'a> Subspace<'a> {
             projected: Mat::zeros(capacity, capacity),
             active: 0,
             capacity,
+            threads,
         };
         let mut start = Mat::from_fn(size, BLOCK, |_, _| 0.0);
         for j in 0..BLOCK {
@@ -111,7 +122,7 @@ impl<'a> Subspace<'a> {
 
     /// (K - σM)⁻¹ B, free of rigid motion.
     fn apply(&self, mut block: Mat<f64>) -> Mat<f64> {
-        self.factor.solve_in_place(block.as_mut());
+        self.factor.solve_in_place(block.as_mut(), self.threads);
         self.rigid.remove_from(&mut block);
         block
     }
@@ -127,29 +138,30 @@ impl<'a> Subspace<'a> {
 
     /// Orthonormalises `block` against the first `known` vectors and within itself, and stores it behind them.
     fn append(&mut self, mut block: Mat<f64>, known: usize) -> Mat<f64> {
-        let par = self.factor.par();
-        let lengths = mass_lengths(self.problem, &block);
+        let mut removed = [0.0; BLOCK];
         for _ in 0..2 {
-            let coefficients = gram(self.mass_basis.get(.., 0..known), block.as_ref(), par);
-            subtract_product(block.as_mut(), self.basis.get(.., 0..known), coefficients.as_ref(), par);
+            let coefficients = gram(self.mass_basis.get(.., 0..known), block.as_ref(), Par::Seq);
+            subtract_product(block.as_mut(), self.basis.get(.., 0..known), coefficients.as_ref(), Par::Seq);
             for j in 0..BLOCK.min(known) {
                 for i in 0..known {
                     self.projected[(i, known - BLOCK + j)] += coefficients[(i, j)];
+                    removed[j] += coefficients[(i, j)].powi(2);
                 }
             }
         }
         let mut residual_factor = Mat::zeros(BLOCK, BLOCK);
         for j in 0..BLOCK {
             let mut column = block.get(.., j..j + 1).to_owned();
-            for i in 0..j {
-                residual_factor[(i, j)] = self.orthogonalise_against(&mut column, known + i);
-            }
-            for i in 0..j {
-                residual_factor[(i, j)] += self.orthogonalise_against(&mut column, known + i);
+            for _ in 0..2 {
+                for i in 0..j {
+                    let factor = self.orthogonalise_against(&mut column, known + i);
+                    residual_factor[(i, j)] += factor;
+                    removed[j] += factor.powi(2);
+                }
             }
             let mut mass_column = self.problem.mass_times(column.as_ref());
             let mut length = dot(column.col_as_slice(0), mass_column.col_as_slice(0)).max(0.0).sqrt();
-            if length > DEPENDENT * lengths[j] {
+            if length > DEPENDENT * removed[j].sqrt() && length > 0.0 {
                 residual_factor[(j, j)] = length;
             } else {
                 (column, mass_column, length) = self.fresh_column(known + j);
@@ -207,10 +219,9 @@ impl<'a> Subspace<'a> {
     /// Keeps the leading Ritz vectors and the residual block.
     fn restart(&mut self, ritz: &Ritz, keep: usize) {
         let keep = keep.min(self.active - BLOCK);
-        let par = self.factor.par();
         let coefficients = ritz.leading(keep);
         for matrix in [&mut self.basis, &mut self.mass_basis] {
-            let rotated = product(matrix.get(.., 0..self.active), coefficients.as_ref(), par);
+            let rotated = product(matrix.get(.., 0..self.active), coefficients.as_ref(), Par::Seq);
             let residual = matrix.get(.., self.active..self.active + BLOCK).to_owned();
             for j in 0..keep {
                 matrix.col_as_slice_mut(j).copy_from_slice(rotated.col_as_slice(j));
@@ -235,25 +246,18 @@ struct Ritz {
 }
 
 impl Ritz {
-    /// How many leading pairs have converged.
-    fn converged(&self) -> usize {
+    /// How many leading pairs have residuals below `tolerance`.
+    fn converged(&self, tolerance: f64) -> usize {
         self.values
             .iter()
             .zip(&self.residuals)
-            .take_while(|&(&theta, &residual)| theta > 0.0 && residual <= TOLERANCE * theta)
+            .take_while(|&(&theta, &residual)| theta > 0.0 && residual <= tolerance * theta)
             .count()
     }
 
     fn leading(&self, count: usize) -> Mat<f64> {
         self.vectors.get(.., 0..count).to_owned()
     }
-}
-
-fn mass_lengths(problem: &Problem<'_>, block: &Mat<f64>) -> Vec<f64> {
-    let mass_block = problem.mass_times(block.as_ref());
-    (0..block.ncols())
-        .map(|j| dot(block.col_as_slice(j), mass_block.col_as_slice(j)).max(0.0).sqrt())
-        .collect()
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -52,5 +52,5 @@ pub(crate) fn modal_masses(shapes: MatRef<'_, f64>, mass_shapes: MatRef<'_, f64>
 }
 
 fn diagonal(fields: &Mat<f64>, mass: &SparseMatrix) -> Vec<f64> {
-    modal_masses(fields.as_ref(), mass_times_full(mass, fields.as_ref()).as_ref())
+    modal_masses(fields.as_ref(), mass_times_full(mass, fields).as_ref())
 }

@@ -95,28 +95,25 @@ impl<'a> Problem<'a> {
 
     /// M X.
     pub fn mass_times(&self, shapes: MatRef<'_, f64>) -> Mat<f64> {
-        let full = self.expand(shapes);
-        self.restrict(mass_times_full(&self.model.mass, full.as_ref()).as_ref())
+        let product = mass_times_full(&self.model.mass, &self.expand(shapes));
+        if self.free.len() == self.compact.len() { product } else { self.restrict(product.as_ref()) }
     }
 
     /// K X.
     pub fn stiffness_times(&self, shapes: MatRef<'_, f64>) -> Mat<f64> {
+        let full = self.expand(shapes);
         let mut result = Mat::zeros(self.free.len(), shapes.ncols());
         for j in 0..shapes.ncols() {
-            let column = result.col_as_slice_mut(j);
-            for (k, &dof) in self.free.iter().enumerate() {
-                let factor = shapes[(k, j)];
-                for (row, value) in entries(self.stiffness, dof) {
-                    if self.compact[row] != NOT_FREE {
-                        column[self.compact[row]] += value * factor;
-                    }
-                }
+            let source = full.col_as_slice(j);
+            for (target, &dof) in result.col_as_slice_mut(j).iter_mut().zip(&self.free) {
+                // K is symmetric: its column is its row. Held degrees of freedom are zero in `full`.
+                *target = entries(self.stiffness, dof).map(|(row, value)| value * source[row]).sum();
             }
         }
         result
     }
 
-    /// Largest entry of |K| |x| relative to which a residual K x is round-off.
+    /// |K| |x|, relative to which a residual K x is round-off.
     pub fn absolute_stiffness_times(&self, shape: &[f64]) -> Vec<f64> {
         let mut result = vec![0.0; self.free.len()];
         for (k, &dof) in self.free.iter().enumerate() {
@@ -191,17 +188,20 @@ impl<'a> Problem<'a> {
 }
 
 /// M_FE X with M_FE = M_s ⊗ I3, on all 3N degrees of freedom.
-pub(crate) fn mass_times_full(mass: &SparseMatrix, shapes: MatRef<'_, f64>) -> Mat<f64> {
+pub(crate) fn mass_times_full(mass: &SparseMatrix, shapes: &Mat<f64>) -> Mat<f64> {
     let mut result = Mat::zeros(shapes.nrows(), shapes.ncols());
     for j in 0..shapes.ncols() {
-        let column = result.col_as_slice_mut(j);
+        let (source, _) = shapes.col_as_slice(j).as_chunks::<3>();
+        let (target, _) = result.col_as_slice_mut(j).as_chunks_mut::<3>();
         for node in 0..mass.ncols() {
-            let (x, y, z) = (shapes[(3 * node, j)], shapes[(3 * node + 1, j)], shapes[(3 * node + 2, j)]);
+            // M_s is symmetric: its column is its row.
+            let mut sum = [0.0; 3];
             for (row, value) in entries(mass, node) {
-                column[3 * row] += value * x;
-                column[3 * row + 1] += value * y;
-                column[3 * row + 2] += value * z;
+                for i in 0..3 {
+                    sum[i] += value * source[row][i];
+                }
             }
+            target[node] = sum;
         }
     }
     result

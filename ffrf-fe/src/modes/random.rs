@@ -7,7 +7,7 @@ pub(crate) struct Random {
 
 impl Random {
     pub fn new() -> Self {
-        Self { state: 0x5EED_0F_F12F }
+        Self { state: 0x005E_ED0F_F12F }
     }
 
     /// Numbers in [-1, 1).

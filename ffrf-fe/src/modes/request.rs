@@ -13,7 +13,7 @@ pub struct ModeRequest {
     pub support: Support,
     /// Which solver; [`Method::Automatic`] chooses by size.
     pub method: Method,
-    /// Threads for the factorisations; 0 means all. The result does not depend on it.
+    /// 1 to use one thread only; otherwise solves use two. The result is the same to the bit.
     pub threads: usize,
 }
 

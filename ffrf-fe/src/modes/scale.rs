@@ -66,11 +66,12 @@ fn quadratic_fields(problem: &Problem<'_>, centre: [f64; 3], size: f64) -> Mat<f
 pub(crate) fn rayleigh_ritz(
     problem: &Problem<'_>,
     shapes: &Mat<f64>,
-    par: Par,
 ) -> Result<(Vec<f64>, Mat<f64>), ModeError> {
-    let mass = symmetrised(gram(shapes.as_ref(), problem.mass_times(shapes.as_ref()).as_ref(), par).as_ref());
-    let stiffness =
-        symmetrised(gram(shapes.as_ref(), problem.stiffness_times(shapes.as_ref()).as_ref(), par).as_ref());
+    let mass =
+        symmetrised(gram(shapes.as_ref(), problem.mass_times(shapes.as_ref()).as_ref(), Par::Seq).as_ref());
+    let stiffness = symmetrised(
+        gram(shapes.as_ref(), problem.stiffness_times(shapes.as_ref()).as_ref(), Par::Seq).as_ref(),
+    );
     let (values, coefficients) = super::dense::generalised_eigen(stiffness.as_ref(), mass.as_ref())?;
-    Ok((values, product(shapes.as_ref(), coefficients.as_ref(), par)))
+    Ok((values, product(shapes.as_ref(), coefficients.as_ref(), Par::Seq)))
 }

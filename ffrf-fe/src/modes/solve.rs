@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use faer::Mat;
 use faer::sparse::SparseColMat;
-use faer::{Mat, Par};
 use ffrf_model::{Mode, ModeKind};
 
 use crate::{FeError, FeModel};
@@ -26,7 +26,7 @@ use super::{
 
 /// Largest problem that [`Method::Automatic`] solves densely: there both methods take about a second.
 const DENSE_LIMIT: usize = 900;
-/// Modes sought beyond the wanted ones, to see the gap that follows.
+/// Modes that the dense method returns beyond the wanted ones, to see the gap that follows.
 const GUARD: usize = 4;
 /// How often a search is widened before it is given up.
 const ATTEMPTS: usize = 4;
@@ -57,12 +57,11 @@ fn solve(
     if request.count == 0 {
         return Err(ModeError::NoModesWanted);
     }
-    let par = if request.threads == 1 { Par::Seq } else { Par::rayon(request.threads) };
     let problem = Problem::new(model, &request.support)?;
     let rigid = RigidModes::new(&problem)?;
     let scale = elastic_scale(&problem, &rigid)?;
     rigid.check_unstrained(scale)?;
-    let search = Search { problem: &problem, rigid: &rigid, scale, par };
+    let search = Search { problem: &problem, rigid: &rigid, scale, threads: request.threads };
     let found = search.run(request, progress)?;
     let kind = if problem.held.is_empty() { ModeKind::FreeFree } else { ModeKind::Clamped };
     Ok(search.account(request.count, kind, found))
@@ -72,7 +71,7 @@ struct Search<'a> {
     problem: &'a Problem<'a>,
     rigid: &'a RigidModes,
     scale: f64,
-    par: Par,
+    threads: usize,
 }
 
 struct Found {
@@ -96,11 +95,11 @@ impl Search<'_> {
         let analysis = Analysis::new(&shifted, &ordering.order)?;
         progress(Progress { stage: Stage::Ordering, done: 1, total: 1 });
         let mut shifted = Some(shifted);
-        let mut wanted = request.count + GUARD;
+        let mut wanted = request.count;
         for _ in 0..ATTEMPTS {
             let dense = self.is_dense(request.method, wanted);
             let pairs = if dense {
-                dense::lowest(self.problem, self.rigid, shift, wanted)?
+                dense::lowest(self.problem, self.rigid, shift, wanted + GUARD)?
             } else {
                 let matrix = match shifted.take() {
                     Some(matrix) => matrix,
@@ -113,11 +112,11 @@ impl Search<'_> {
                 return Err(ModeError::TooFewModes { wanted: request.count, available: values.len() });
             }
             let Some(limit) = counting_shift(&values, request.count, pairs.complete, self.scale) else {
-                wanted += 2 * GUARD;
+                wanted += GUARD;
                 continue;
             };
             progress(Progress { stage: Stage::Counting, done: 0, total: 1 });
-            let counted = eigenvalues_below(self.problem, &analysis, limit.shift, self.par)?;
+            let counted = eigenvalues_below(self.problem, &analysis, limit.shift)?;
             progress(Progress { stage: Stage::Counting, done: 1, total: 1 });
             let expected = limit.below + self.rigid.count();
             if counted == expected {
@@ -141,7 +140,7 @@ impl Search<'_> {
                     below_hz: hertz(limit.shift),
                 });
             }
-            wanted += counted - expected + GUARD;
+            wanted += counted - expected;
         }
         Err(ModeError::NoClearGap { wanted })
     }
@@ -167,10 +166,10 @@ impl Search<'_> {
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Pairs, ModeError> {
         progress(Progress { stage: Stage::Factorising, done: 0, total: 1 });
-        let factor = analysis.factorise(&shifted, self.par)?;
+        let factor = analysis.factorise(&shifted)?;
         drop(shifted);
         progress(Progress { stage: Stage::Factorising, done: 1, total: 1 });
-        lanczos::lowest(self.problem, self.rigid, &factor, shift, wanted, &mut |done| {
+        lanczos::lowest(self.problem, self.rigid, &factor, shift, wanted, self.threads, &mut |done| {
             progress(Progress { stage: Stage::Iterating, done, total: wanted });
         })
     }
@@ -182,7 +181,7 @@ impl Search<'_> {
             return Ok((Vec::new(), shapes));
         }
         self.rigid.remove_from(&mut shapes);
-        let (values, mut shapes) = rayleigh_ritz(self.problem, &shapes, self.par)?;
+        let (values, mut shapes) = rayleigh_ritz(self.problem, &shapes)?;
         self.rigid.remove_from(&mut shapes);
         Ok((values, shapes))
     }
@@ -202,7 +201,7 @@ impl Search<'_> {
         let participation = participation(
             self.problem.model,
             shapes.as_ref(),
-            super::problem::mass_times_full(&self.problem.model.mass, shapes.as_ref()).as_ref(),
+            super::problem::mass_times_full(&self.problem.model.mass, &shapes).as_ref(),
         );
         let zero = ZERO * self.scale;
         let entries: Vec<ModeEntry> = (0..count)

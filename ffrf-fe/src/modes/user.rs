@@ -35,7 +35,7 @@ pub fn user_modes(model: &FeModel, shapes: Mat<f64>) -> Result<ModeSolution, FeE
             return Err(ModeError::ModeShapeNotFinite { row, column }.into());
         }
     }
-    let mass_shapes = mass_times_full(&model.mass, shapes.as_ref());
+    let mass_shapes = mass_times_full(&model.mass, &shapes);
     let masses = modal_masses(shapes.as_ref(), mass_shapes.as_ref());
     let participation = participation(model, shapes.as_ref(), mass_shapes.as_ref());
     let forces = model.stiffness.as_ref().map(|stiffness| times(stiffness, &shapes));

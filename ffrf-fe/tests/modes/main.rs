@@ -1,6 +1,12 @@
 //! Modes and reduction: reference bodies, two solvers against each other, and structures with known frequencies.
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests may panic")]
 
+mod beams;
+
+mod markers;
+mod progress;
 mod reference;
 mod reference_bodies;
-
+mod refusals;
+mod solvers;
 mod tolerances;

@@ -52,6 +52,13 @@ fn frequencies_of_the_fe_exports_by_the_dense_method() {
 }
 
 #[test]
+fn frequencies_of_the_fe_exports_by_the_sparse_method() {
+    for name in ["blockC3D8", "blockC3D10", "rotorDisc"] {
+        check_frequencies(name, Method::Sparse, 0);
+    }
+}
+
+#[test]
 fn invariants_of_the_reference_bodies() {
     for name in BODIES {
         let Some((case, model, shapes)) = load(name) else { return };
