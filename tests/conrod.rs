@@ -1,4 +1,5 @@
 //! The connecting rod in `models/`: our modes against CalculiX, the committed model against a fresh reduction.
+#![allow(clippy::unwrap_used)] // helpers of tests are tests
 
 use std::fs;
 use std::path::{Path, PathBuf};
