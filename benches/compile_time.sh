@@ -2,6 +2,7 @@
 # Time to expand and compile one body (release), and size of its code, by number of modes: benches/compile_time.json.
 # usage: compile_time.sh [M ...]. The dependencies are compiled before the clock starts; the clock runs over the
 # generator (a build script here, the macro does the same work) and over rustc for the crate that holds the body.
+# Code: `write_equations_of_motion` and `forward_dynamics` with all they call, without tables.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 work=${WORK:-$(mktemp -d)}
@@ -20,8 +21,8 @@ for m in "$@"; do
     start=$(date +%s.%N)
     build "$m" || exit 1
     seconds=$(echo "$(date +%s.%N) $start" | awk '{printf "%.2f", $1 - $2}')
-    code=$(nm --print-size --defined-only "$CARGO_TARGET_DIR/release/libours.so" |
-        awk '$4 ~ /ffrf|ours|lanes/ && tolower($3) == "t" {s += strtonum("0x" $2)} END {printf "%.1f", s / 1024}')
+    code=$(nm --print-size --radix=d --defined-only "$CARGO_TARGET_DIR/release/libours.so" |
+        awk '$4 ~ /ffrf|ours|lanes/ && tolower($3) == "t" {s += $2} END {printf "%.1f", s / 1024}')
     set -- $(limit "$m") "$@"
     printf '%s\n  {"modes": %d, "seconds": %s, "code_kilobytes": %s, "limits": "%s s, %s kB"}' "$separator" "$m" "$seconds" "$code" "$1" "$2"
     shift 2

@@ -10,7 +10,7 @@ modes=${MODES:-1 2 4 8 16 32 64} rounds=${ROUNDS:-300} cpu=${CPU:-1}
 
 export PYTHON=$WORK/venv/bin/python
 if [ ! -x "$PYTHON" ]; then
-    python3 -m venv "$WORK/venv" && "$WORK/venv/bin/pip" install --quiet numpy casadi sympy exudyn || exit 1
+    python3 -m venv "$WORK/venv" && "$WORK/venv/bin/pip" install --quiet numpy scipy casadi sympy exudyn || exit 1
 fi
 gcc -O2 -Wall -o "$WORK/time_columns" "$here/time_columns.c" -ldl -lm || exit 1
 "$PYTHON" "$here/bodies.py" "$WORK" $modes || exit 1
@@ -22,6 +22,6 @@ for m in $modes; do
     for extra in ${EXTRA:-}; do list="$list ${extra//%M/$m}"; done
     taskset -c "$cpu" "$WORK/time_columns" "$WORK/body_$m.bin" "$rounds" $list >> "$WORK/columns.jsonl" || failed=1
 done
-taskset -c "$cpu" "$PYTHON" "$here/exudyn_rhs.py" $modes > "$WORK/exudyn.jsonl" || echo "SKIPPED: exudyn" >&2
+taskset -c "$cpu" "$PYTHON" -W ignore "$here/exudyn_rhs.py" $modes > "$WORK/exudyn.jsonl" || echo "SKIPPED: exudyn" >&2
 "$PYTHON" "$here/report.py" "$WORK/columns.jsonl" "$WORK/exudyn.jsonl" "$here" "$rounds" || exit 1
 exit $failed
