@@ -1,6 +1,7 @@
 //! The structure of the workspace as a test: who may import whom, and how files must look.
 //!
 //! ARCHITECTURE.md states the same law for people; a change there is a change here.
+#![allow(clippy::expect_used)] // helpers of tests are tests
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,4 +1,5 @@
 //! The macro at work: models, fewer modes, single precision, invariants at run time; three doors, one code.
+#![allow(clippy::unwrap_used)] // helpers of tests are tests
 
 #[path = "../ffrf-runtime/tests/common/naive_body.rs"]
 mod naive_body;

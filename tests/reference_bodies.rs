@@ -1,5 +1,6 @@
 //! Every public reference case through compiled macro code, the way a user gets there:
 //! finite-element files -> reduced body -> `flexible_body!` in a crate of its own -> numbers.
+#![allow(clippy::expect_used)] // helpers of tests are tests
 
 use std::fs;
 use std::path::{Path, PathBuf};
