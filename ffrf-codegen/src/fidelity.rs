@@ -38,7 +38,7 @@ pub enum EnergyTerm {
     RotationLinear,
     /// ½ q_μ q_ν ω·Θ_μν ω: change of inertia, second order in q.
     RotationQuadratic,
-    /// ω·ϑ_μ q̇_μ: spin of the undeformed body against its vibration, Ξ = [ϑ_μ].
+    /// ω·ϑ_μ q̇_μ: spin of the undeformed body against its vibration, Ξ = `[ϑ_μ]`.
     ModalRotation,
     /// q_ν ω·ϑ_νμ q̇_μ: spin against vibration of the deformed body (whirl, the Coriolis term 2 L_ff q̇).
     ModalRotationDeformed,

@@ -12,7 +12,7 @@ pub struct Layout {
     pub modal_first_moment: Structure,
     /// Second moment T: diagonal (principal axes) or symmetric.
     pub second_moment: Structure,
-    /// Position-mode moments T_μ: symmetric means Ξ = [ϑ_μ] = 0 (free-free modes).
+    /// Position-mode moments T_μ: symmetric means Ξ = `[ϑ_μ]` = 0 (free-free modes).
     pub position_mode_moment: Structure,
     /// Mode-mode moments T_μν: symmetric means ϑ_μν = 0.
     pub mode_mode_moment: Structure,
