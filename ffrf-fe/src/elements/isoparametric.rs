@@ -109,3 +109,73 @@ fn space_gradients(corners: &[[f64; 3]], local: &[[f64; 3]]) -> Result<(Vec<[f64
         .collect();
     Ok((gradient, determinant))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Round-off of sums over 24 products of order one.
+    const ROUND_OFF: f64 = 1e-13;
+
+    const HEXAHEDRON: [[f64; 3]; 8] = [
+        [0.0, 0.1, 0.0],
+        [1.1, 0.0, 0.0],
+        [1.0, 1.2, 0.1],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 0.9],
+        [1.0, 0.1, 1.0],
+        [1.2, 1.0, 1.1],
+        [-0.1, 1.0, 1.0],
+    ];
+    const TETRAHEDRON: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [0.2, 0.9, 0.1], [0.0, 0.2, 1.1]];
+
+    /// A linear displacement field u = G x has the energy ½ V (λ tr² ε + 2 μ ε:ε), and rotations have none.
+    #[test]
+    fn linear_fields_have_the_energy_of_uniform_strain() {
+        let material = Material { youngs_modulus: 1.0, poisson_ratio: 0.3, density: 2.0 };
+        let gradients = [
+            [[0.0, -0.3, 0.2], [0.3, 0.0, -0.1], [-0.2, 0.1, 0.0]],
+            [[0.1, 0.2, -0.3], [0.0, 0.4, 0.1], [0.2, -0.1, -0.2]],
+        ];
+        for (kind, corners) in
+            [(ElementKind::Hexahedron8, &HEXAHEDRON[..]), (ElementKind::Tetrahedron4, &TETRAHEDRON[..])]
+        {
+            let points = quadrature(kind, corners).expect("a sound element");
+            let volume: f64 = points.iter().map(|point| point.volume).sum();
+            let matrices = element_matrices(kind, corners, &material).expect("a sound element");
+            let mass: f64 = (0..corners.len()).flat_map(|j| matrices.mass.col_as_slice(j)).sum();
+            assert!((mass - 2.0 * volume).abs() < ROUND_OFF, "{kind:?}: mass {mass}, volume {volume}");
+            for gradient in gradients {
+                let displacement: Vec<f64> = corners
+                    .iter()
+                    .flat_map(|x| gradient.map(|row| (0..3).map(|k| row[k] * x[k]).sum::<f64>()))
+                    .collect();
+                let size = displacement.len();
+                let energy: f64 = (0..size * size)
+                    .map(|k| {
+                        0.5 * displacement[k % size]
+                            * matrices.stiffness[(k % size, k / size)]
+                            * displacement[k / size]
+                    })
+                    .sum();
+                let strain = |i: usize, j: usize| 0.5 * (gradient[i][j] + gradient[j][i]);
+                let trace: f64 = (0..3).map(|i| strain(i, i)).sum();
+                let square: f64 = (0..9).map(|k| strain(k / 3, k % 3).powi(2)).sum();
+                let expected = volume
+                    * (0.5 * material.lame_lambda() * trace * trace + material.shear_modulus() * square);
+                assert!(
+                    (energy - expected).abs() < ROUND_OFF,
+                    "{kind:?}: energy {energy}, expected {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn elements_inside_out_are_refused_with_their_determinant() {
+        let mut corners = TETRAHEDRON;
+        corners.swap(0, 1);
+        let error = quadrature(ElementKind::Tetrahedron4, &corners).expect_err("inside out");
+        assert!(matches!(error, ElementError::Jacobian { determinant } if determinant < 0.0), "{error}");
+    }
+}

@@ -105,4 +105,12 @@ pub enum ReductionError {
         /// Square root of the smallest over the largest eigenvalue of the fit.
         spread: f64,
     },
+    /// A marker at a node that no matrix and no mode shape knows.
+    #[error("marker `{marker}`: node {node} has neither mass nor stiffness: its motion is not defined")]
+    MarkerLoose {
+        /// Name of the marker.
+        marker: String,
+        /// Id of the node.
+        node: u64,
+    },
 }

@@ -20,7 +20,7 @@ const NEAREST: usize = 8;
 /// A node set moves with the mean of its nodes, and turns with the least-squares small rotation of them.
 /// A single node turns with the nodes it is coupled with in K, or in M_s, or, if that tells no rotation,
 /// with its eight nearest nodes. A rigid motion of the nodes is reproduced exactly in each case.
-/// Errors: no node, a node that does not exist, all nodes on one line.
+/// Errors: no node, a node that does not exist or that no matrix knows, all nodes on one line.
 pub(crate) fn make_marker(
     model: &FeModel,
     shapes: &Mat<f64>,
@@ -33,6 +33,9 @@ pub(crate) fn make_marker(
     }
     if let Some(&row) = rows.iter().find(|&&row| row >= count) {
         return Err(ReductionError::MarkerNode { marker: request.name.clone(), row, nodes: count });
+    }
+    if let Some(&row) = rows.iter().find(|&&row| is_loose(model, shapes, row)) {
+        return Err(ReductionError::MarkerLoose { marker: request.name.clone(), node: model.nodes.ids[row] });
     }
     let fit = match rows[..] {
         [row] => fit_around(model, row),
@@ -124,6 +127,15 @@ fn nearest(model: &FeModel, row: usize) -> Vec<usize> {
     order.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)).then(a.cmp(&b)));
     order.truncate(NEAREST + 1);
     order
+}
+
+/// True for a node that no matrix and no mode shape knows: its displacement would be zero by default.
+fn is_loose(model: &FeModel, shapes: &Mat<f64>, row: usize) -> bool {
+    let Some(stiffness) = &model.stiffness else { return false };
+    let mut values =
+        (3 * row..3 * row + 3).flat_map(|dof| entries(stiffness, dof)).chain(entries(&model.mass, row));
+    let at_rest = (0..shapes.ncols()).all(|mode| displacement(shapes, row, mode) == [0.0; 3]);
+    at_rest && !model.fixed_dofs.contains(&(3 * row)) && values.all(|(_, value)| value == 0.0)
 }
 
 fn displacement(shapes: &Mat<f64>, row: usize, mode: usize) -> Vector3 {

@@ -1,8 +1,10 @@
 //! The dense and the sparse solver on the same bricks.
 
-use ffrf_fe::FeModel;
+use faer::sparse::Triplet;
 use ffrf_fe::elements::{Material, brick};
 use ffrf_fe::modes::{Method, ModeRequest, ModeSolution, compute_modes};
+use ffrf_fe::reduction::{MarkerRequest, ReductionOptions, reduce};
+use ffrf_fe::{FeModel, SparseMatrix};
 
 use crate::tolerances::{ORTHOGONALITY, TWO_SOLVERS};
 
@@ -104,4 +106,50 @@ fn results_do_not_depend_on_threads_or_repetition() {
             );
         }
     }
+}
+
+/// The brick with its mass lumped to the diagonal, and nodes of a row without mass.
+fn lumped_without(model: &FeModel, massless: &[usize]) -> SparseMatrix {
+    let triplets: Vec<Triplet<usize, usize, f64>> = (0..model.nodes.len())
+        .filter(|node| !massless.contains(node))
+        .map(|node| Triplet::new(node, node, model.mass.val_of_col(node).iter().sum()))
+        .collect();
+    SparseMatrix::try_new_from_triplets(model.nodes.len(), model.nodes.len(), &triplets).unwrap()
+}
+
+#[test]
+fn nodes_without_mass_follow_statically() {
+    let mut model = brick([0.8, 0.2, 0.1], [12, 4, 3], &Material::STEEL).unwrap();
+    model.mass = lumped_without(&model, &[0, 17, 100]);
+    let solution = compare(&model, &ModeRequest::free_free(6));
+    assert_eq!(solution.report.loose_dofs, 0);
+    assert!(solution.basis.shapes[(0, 0)] != 0.0);
+}
+
+#[test]
+fn nodes_without_mass_and_stiffness_stay_at_rest() {
+    let mut model = brick([0.8, 0.2, 0.1], [12, 4, 3], &Material::STEEL).unwrap();
+    let before = solve(&model, ModeRequest::free_free(3));
+    let nodes = model.nodes.len();
+    model.nodes.ids.push(9999);
+    model.nodes.positions.push([0.4, 0.1, 0.5]);
+    model.mass = grown(&model.mass, nodes + 1);
+    model.stiffness = model.stiffness.map(|stiffness| grown(&stiffness, 3 * (nodes + 1)));
+    let after = solve(&model, ModeRequest::free_free(3));
+    assert_eq!(after.report.loose_dofs, 3);
+    assert_eq!(after.basis.shapes.nrows(), 3 * (nodes + 1));
+    let marker = MarkerRequest { name: "loose".to_owned(), nodes: vec![nodes] };
+    let options = ReductionOptions { markers: vec![marker], ..ReductionOptions::default() };
+    let message = reduce(&model, &after.basis, &options).unwrap_err().to_string();
+    assert!(message.contains("9999"), "{message}");
+    for (a, b) in before.report.modes.iter().zip(&after.report.modes) {
+        let (a, b) = (a.frequency_hz.unwrap(), b.frequency_hz.unwrap());
+        assert!((a - b).abs() <= TWO_SOLVERS * a, "{a} Hz without, {b} Hz with the loose node");
+    }
+}
+
+fn grown(matrix: &SparseMatrix, size: usize) -> SparseMatrix {
+    let triplets: Vec<Triplet<usize, usize, f64>> =
+        matrix.triplet_iter().map(|entry| Triplet::new(entry.row, entry.col, *entry.val)).collect();
+    SparseMatrix::try_new_from_triplets(size, size, &triplets).unwrap()
 }
