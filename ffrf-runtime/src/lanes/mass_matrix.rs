@@ -46,7 +46,7 @@ impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
 }
 
 /// The columns of the modes. A function of slices, so that one loop serves all modes.
-#[inline(never)]
+#[inline]
 fn write_modal_columns<T: Scalar, const N: usize>(
     [first, second, third]: [&[[T; 4]]; 3],
     moments: Option<&[[[T; 4]; 3]]>,
@@ -67,9 +67,9 @@ fn write_modal_columns<T: Scalar, const N: usize>(
             Register::<T>::transpose([moments[0], moments[1], moments[2], Register::<T>::load(first)]);
         for (k, column) in columns.iter_mut().enumerate().take(4) {
             let Some((top, bottom)) = column.split_first_chunk_mut::<6>() else { return };
-            bottom.fill(T::ZERO);
             top[..4].copy_from_slice(&heads[k].store());
             [top[4], top[5]] = [second[k], third[k]];
+            bottom.fill(T::ZERO);
             if let Some(entry) = bottom.get_mut(4 * g + k) {
                 *entry = modal_mass[k];
             }
