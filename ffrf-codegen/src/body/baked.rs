@@ -4,7 +4,7 @@ use ffrf_model::{Matrix3, ReducedBody};
 
 use super::{BodyExpressions, MomentComponents};
 use crate::expression::{Expression, Graph, Symmetric3};
-use crate::layout::{GramScales, Structure, found, lever_tolerance};
+use crate::layout::{GramScales, Structure, found, negligible_first_moment};
 use crate::options::ORTHOGONALITY_TOLERANCE;
 
 impl BodyExpressions {
@@ -64,7 +64,7 @@ impl BodyExpressions {
         Self {
             mass: number.graph.constant(inertia.mass),
             first_moment: {
-                let negligible = lever_tolerance(body, tolerance) * scales.translation * scales.position;
+                let negligible = negligible_first_moment(body, &scales, tolerance);
                 inertia
                     .first_moment
                     .map(|x| number.graph.constant(if x.abs() <= negligible { 0.0 } else { x }))

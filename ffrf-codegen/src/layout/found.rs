@@ -64,15 +64,11 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
     let join = |structures: &mut dyn Iterator<Item = Structure>| {
         structures.reduce(Structure::join).unwrap_or(Structure::Zero)
     };
+    let negligible_lever = negligible_first_moment(body, &scales, tolerance);
     let position_square = scales.position * scales.position;
     Layout {
-        first_moment: zero_or_dense(
-            inertia
-                .first_moment
-                .iter()
-                .all(|&x| x.abs() <= lever_tolerance(body, tolerance) * scales.translation * scales.position),
-        ),
-        modal_first_moment: zero_or_dense(modes_keep_the_centre(body, tolerance)),
+        first_moment: zero_or_dense(inertia.first_moment.iter().all(|x| x.abs() <= negligible_lever)),
+        modal_first_moment: zero_or_dense(modes_keep_the_centre(body, &scales, tolerance)),
         second_moment: at_least_diagonal(matrix3(&inertia.second_moment, position_square)),
         position_mode_moment: join(
             &mut (0..count)
@@ -95,8 +91,7 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
 }
 
 /// True if every b_μ counts as zero.
-fn modes_keep_the_centre(body: &ReducedBody, tolerance: f64) -> bool {
-    let scales = GramScales::of(body);
+fn modes_keep_the_centre(body: &ReducedBody, scales: &GramScales, tolerance: f64) -> bool {
     body.inertia
         .modal_first_moment
         .iter()
@@ -104,9 +99,11 @@ fn modes_keep_the_centre(body: &ReducedBody, tolerance: f64) -> bool {
         .all(|(moment, mode)| moment.iter().all(|x| x.abs() <= tolerance * scales.translation * mode))
 }
 
-/// Tolerance for the first moment m a, relative to √(m tr T).
-pub fn lever_tolerance(body: &ReducedBody, tolerance: f64) -> f64 {
-    if modes_keep_the_centre(body, tolerance) { tolerance.max(CENTRED_TOLERANCE) } else { tolerance }
+/// Up to which size an entry of the first moment m a counts as zero. Units: kg m.
+pub fn negligible_first_moment(body: &ReducedBody, scales: &GramScales, tolerance: f64) -> f64 {
+    let centred = modes_keep_the_centre(body, scales, tolerance);
+    let tolerance = if centred { tolerance.max(CENTRED_TOLERANCE) } else { tolerance };
+    tolerance * scales.translation * scales.position
 }
 
 /// A tensor that is never zero: zero, as found in degenerate bodies, is diagonal; unequal transposes are round-off.

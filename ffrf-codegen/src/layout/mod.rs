@@ -9,5 +9,5 @@ mod found;
 mod structure;
 
 pub use declared::Layout;
-pub use found::{GramScales, found, lever_tolerance};
+pub use found::{GramScales, found, negligible_first_moment};
 pub use structure::Structure;
