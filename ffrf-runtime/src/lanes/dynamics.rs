@@ -2,36 +2,36 @@
 
 use super::equations::{State, sums};
 use super::rigid::{dot, inverse, subtract, times};
-use super::scalar::{Register, grouped, groups, ungroup};
-use super::{LaneBody, Lanes, MomentTable, Scalar};
+use super::scalar::{Register, four, grouped, groups, ungroup};
+use super::{LaneBody, Lanes, Scalar};
 
-impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
     /// Mass matrix M(q), columns of N = 6 + M entries. Source: (203).
     #[inline(always)]
-    pub fn mass_matrix<const N: usize>(&self, state: &State<T, G>) -> [[T; N]; N] {
-        let mut columns = [[T::ZERO; N]; N];
+    pub fn mass_matrix<T: Scalar<Constant = C>, const N: usize>(&self, state: &State<T, G>) -> [[T; N]; N] {
+        let mut columns = [[T::zero(); N]; N];
         self.write_mass_matrix(state, &mut columns);
         columns
     }
 
     /// Quadratic velocity vector Q(q, ω, q̇). Shape: N. Source: (209), corrected.
     #[inline(always)]
-    pub fn quadratic_velocity<const N: usize>(&self, state: &State<T, G>) -> [T; N] {
-        let mut entries = [T::ZERO; N];
+    pub fn quadratic_velocity<T: Scalar<Constant = C>, const N: usize>(&self, state: &State<T, G>) -> [T; N] {
+        let mut entries = [T::zero(); N];
         state.write_quadratic_velocity(&mut entries);
         entries
     }
 
     /// Mass matrix, quadratic velocity vector and accelerations; `force` as in [`LaneBody::forward_dynamics`].
     #[inline(always)]
-    pub fn equations_of_motion<const N: usize>(
+    pub fn equations_of_motion<T: Scalar<Constant = C>, const N: usize>(
         &self,
         state: &State<T, G>,
         q: &[T; M],
         q_dot: &[T; M],
         force: &[T; N],
     ) -> ([[T; N]; N], [T; N], [T; N]) {
-        let mut results = ([[T::ZERO; N]; N], [T::ZERO; N], [T::ZERO; N]);
+        let mut results = ([[T::zero(); N]; N], [T::zero(); N], [T::zero(); N]);
         let (columns, quadratic, accelerations) = &mut results;
         self.write_equations_of_motion(state, q, q_dot, force, columns, quadratic, accelerations);
         results
@@ -40,7 +40,7 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
     /// [`LaneBody::equations_of_motion`] into given places: a large matrix is not moved.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)] // inputs and outputs, each in its place
-    pub fn write_equations_of_motion<const N: usize>(
+    pub fn write_equations_of_motion<T: Scalar<Constant = C>, const N: usize>(
         &self,
         state: &State<T, G>,
         q: &[T; M],
@@ -60,20 +60,20 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
     ///
     /// M⁻¹ (force - Q): q̈ by the diagonal Θ_ff, α by a constant matrix, ω̇ by a 3 x 3 inverse.
     #[inline(always)]
-    pub fn forward_dynamics<const N: usize>(
+    pub fn forward_dynamics<T: Scalar<Constant = C>, const N: usize>(
         &self,
         state: &State<T, G>,
         q: &[T; M],
         q_dot: &[T; M],
         force: &[T; N],
     ) -> [T; N] {
-        let mut entries = [T::ZERO; N];
+        let mut entries = [T::zero(); N];
         self.write_accelerations(state, q, q_dot, force, &mut entries);
         entries
     }
 
     #[inline(always)]
-    fn write_accelerations<const N: usize>(
+    fn write_accelerations<T: Scalar<Constant = C>, const N: usize>(
         &self,
         state: &State<T, G>,
         q: &[T; M],
@@ -84,16 +84,16 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
         const { assert!(N == 6 + M) };
         let mut modal: [Register<T>; G] = grouped(&force[6..]);
         let (q, q_dot) = (groups::<T, M, G>(q), groups::<T, M, G>(q_dot));
-        let mut coupled = [Register::<T>::ZERO; 9];
-        let mut shared = [Register::<T>::ZERO; 9];
-        let mut carried = [Register::<T>::ZERO; 3];
+        let mut coupled = [Register::<T>::zero(); 9];
+        let mut shared = [Register::<T>::zero(); 9];
+        let mut carried = [Register::<T>::zero(); 3];
         for g in 0..G {
             modal[g] = modal[g] - Register::<T>::load(&state.modal.whirl[g]);
-            modal[g] = self.stiffness.subtract_product(g, q[g], modal[g]);
-            modal[g] = self.damping.subtract_product(g, q_dot[g], modal[g]);
+            modal[g] = self.stiffness.subtract_product::<T>(g, q[g], modal[g]);
+            modal[g] = self.damping.subtract_product::<T>(g, q_dot[g], modal[g]);
             let rows = state.coupling(g);
-            let weighted = rows.map(|row| self.modal_compliance.times(g, row));
-            let free = self.modal_compliance.times(g, modal[g]);
+            let weighted = rows.map(|row| self.modal_compliance.times::<T>(g, row));
+            let free = self.modal_compliance.times::<T>(g, modal[g]);
             // Θ_rf Θ_ff⁻¹ Θ_rfᵀ and Θ_rf Θ_ff⁻¹ f
             for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
                 shared[k] = rows[i].multiply_add(weighted[j], shared[k]);
@@ -104,7 +104,7 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
             // m B Θ_ff⁻¹ Θ_rfᵀ and m B Θ_ff⁻¹ f
             if let Some(moments) = self.modal_first_moment {
                 for i in 0..3 {
-                    let moment = Register::<T>::load(&moments[g][i]);
+                    let moment = four::<T>(&moments[g][i]);
                     for j in 0..3 {
                         coupled[3 * i + j] = moment.multiply_add(weighted[j], coupled[3 * i + j]);
                     }
@@ -118,14 +118,15 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
         let mut schur = subtract(state.inertia, [s0, s1, s2, s3, s4, s5]);
         let mut translation = [0, 1, 2].map(|i| force[i] - state.translation[i]);
 
+        let compliance = self.translation_compliance.map(T::constant);
         let angular;
         if self.first_moment.is_none() && self.modal_first_moment.is_none() {
-            translation = times(self.translation_compliance, translation);
+            translation = times(compliance, translation);
             angular = times(inverse(schur), rotation);
         } else {
             // Columns of -m r̃ - m B Θ_ff⁻¹ Θ_rfᵀ.
             let [x, y, z] = state.first_moment;
-            let zero = T::ZERO;
+            let zero = T::zero();
             let mut columns = [[zero, -z, y], [z, zero, -x], [-y, x, zero]];
             if self.modal_first_moment.is_some() {
                 let [c0, c1, c2, c3, c4, c5, c6, c7, c8] = coupled;
@@ -135,8 +136,8 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
                 columns = [[-c0, -z - c3, y - c6], [z - c1, -c4, -x - c7], [-y - c2, x - c5, -c8]];
                 translation = subtract(translation, [f0, f1, f2]);
             }
-            let moved = columns.map(|column| times(self.translation_compliance, column));
-            translation = times(self.translation_compliance, translation);
+            let moved = columns.map(|column| times(compliance, column));
+            translation = times(compliance, translation);
             for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
                 schur[k] -= dot(columns[i], moved[j]);
             }
@@ -155,10 +156,10 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
             for axis in 0..3 {
                 modal[g] = rows[axis].subtract_from(about[axis], modal[g]);
                 if let Some(moments) = self.modal_first_moment {
-                    modal[g] = Register::<T>::load(&moments[g][axis]).subtract_from(along[axis], modal[g]);
+                    modal[g] = four::<T>(&moments[g][axis]).subtract_from(along[axis], modal[g]);
                 }
             }
-            modal[g] = self.modal_compliance.times(g, modal[g]);
+            modal[g] = self.modal_compliance.times::<T>(g, modal[g]);
         }
         write(translation, angular, |g| modal[g].store(), entries);
     }

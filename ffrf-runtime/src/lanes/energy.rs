@@ -3,12 +3,12 @@
 use super::equations::{State, sums};
 use super::rigid::{add, cross, dot, times};
 use super::scalar::{Register, groups};
-use super::{LaneBody, Lanes, MomentTable, Scalar};
+use super::{LaneBody, Lanes, Scalar};
 
-impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
     /// Kinetic energy. Units: J. Source: MATH.md, the sum of all kept terms.
     #[inline(always)]
-    pub fn kinetic_energy(
+    pub fn kinetic_energy<T: Scalar<Constant = C>>(
         &self,
         state: &State<T, G>,
         velocity: &[T; 3],
@@ -16,20 +16,27 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
         q_dot: &[T; M],
     ) -> T {
         let rates = groups::<T, M, G>(q_dot);
-        let mut modal = Register::<T>::ZERO;
+        let mut modal = Register::<T>::zero();
         for g in 0..G {
-            modal = self.modal_mass.times(g, rates[g]).multiply_add(rates[g], modal);
+            modal = self.modal_mass.times::<T>(g, rates[g]).multiply_add(rates[g], modal);
         }
         let [modal] = sums::<T, 1>([modal]);
         let (velocity, omega) = (*velocity, *omega);
         let carried = add(cross(omega, state.first_moment), state.momentum);
-        let twice = self.mass * dot(velocity, velocity) + dot(omega, times(state.inertia, omega)) + modal;
-        T::HALF * twice + dot(velocity, carried) + dot(omega, state.spin)
+        let twice = T::constant(self.mass) * dot(velocity, velocity)
+            + dot(omega, times(state.inertia, omega))
+            + modal;
+        T::half() * twice + dot(velocity, carried) + dot(omega, state.spin)
     }
 
     /// Angular momentum m r × v + Θ_rr ω + Θ_rf q̇ about the frame origin. Shape: 3. Units: N m s.
     #[inline(always)]
-    pub fn angular_momentum(&self, state: &State<T, G>, velocity: &[T; 3], omega: &[T; 3]) -> [T; 3] {
+    pub fn angular_momentum<T: Scalar<Constant = C>>(
+        &self,
+        state: &State<T, G>,
+        velocity: &[T; 3],
+        omega: &[T; 3],
+    ) -> [T; 3] {
         let orbital = cross(state.first_moment, *velocity);
         add(orbital, add(times(state.inertia, *omega), state.spin))
     }

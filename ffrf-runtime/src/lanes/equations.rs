@@ -1,7 +1,7 @@
 //! Deformed invariants and quadratic velocity vector.
 
 use super::rigid::{add, cross, times, traced};
-use super::scalar::{Register, groups};
+use super::scalar::{Register, four, groups};
 use super::{Diagonal, Four, LaneBody, Lanes, MomentTable, Moments, Scalar};
 
 /// Everything that follows from a state before forces are known.
@@ -31,22 +31,20 @@ impl<T: Scalar, const G: usize> State<T, G> {
     }
 }
 
-impl<T: Scalar, const G: usize> Diagonal<T, G> {
+impl<C: Copy, const G: usize> Diagonal<C, G> {
     /// The entries of a group times `lanes`.
     #[inline(always)]
-    pub(super) fn times(&self, group: usize, lanes: Register<T>) -> Register<T> {
+    pub(super) fn times<T: Scalar<Constant = C>>(&self, group: usize, lanes: Register<T>) -> Register<T> {
         match self {
-            Self::Zero => Register::<T>::ZERO,
+            Self::Zero => Register::<T>::zero(),
             Self::Identity => lanes,
-            Self::Entries(entries) => Register::<T>::load(&entries[group]) * lanes,
+            Self::Entries(entries) => four::<T>(&entries[group]) * lanes,
         }
     }
-}
 
-impl<T: Scalar, const G: usize> Diagonal<T, G> {
     /// `term` less the entries of a group times `lanes`.
     #[inline(always)]
-    pub(super) fn subtract_product(
+    pub(super) fn subtract_product<T: Scalar<Constant = C>>(
         &self,
         group: usize,
         lanes: Register<T>,
@@ -55,7 +53,7 @@ impl<T: Scalar, const G: usize> Diagonal<T, G> {
         match self {
             Self::Zero => term,
             Self::Identity => term - lanes,
-            Self::Entries(entries) => Register::<T>::load(&entries[group]).subtract_from(lanes, term),
+            Self::Entries(entries) => four::<T>(&entries[group]).subtract_from(lanes, term),
         }
     }
 }
@@ -63,7 +61,7 @@ impl<T: Scalar, const G: usize> Diagonal<T, G> {
 /// Horizontal sums of many registers, four at a time.
 #[inline(always)]
 pub(super) fn sums<T: Scalar, const K: usize>(registers: [Register<T>; K]) -> [T; K] {
-    let mut result = [T::ZERO; K];
+    let mut result = [T::zero(); K];
     let (fours, rest) = registers.as_chunks::<4>();
     let (places, last) = result.as_chunks_mut::<4>();
     for (place, four) in places.iter_mut().zip(fours) {
@@ -75,35 +73,38 @@ pub(super) fn sums<T: Scalar, const K: usize>(registers: [Register<T>; K]) -> [T
     result
 }
 
-impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBody<T, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
     /// Deformed invariants and quadratic velocity vector of one state. What is not used costs nothing.
     #[inline(always)]
-    pub fn state(&self, q: &[T; M], omega: [T; 3], q_dot: &[T; M]) -> State<T, G> {
-        let zero = [T::ZERO; 3];
+    pub fn state<T: Scalar<Constant = C>>(&self, q: &[T; M], omega: [T; 3], q_dot: &[T; M]) -> State<T, G>
+    where
+        P: MomentTable<T, M, G>,
+    {
+        let zero = [T::zero(); 3];
         let mut state = State {
-            modal: Moments::ZERO,
-            first_moment: self.first_moment.unwrap_or(zero),
-            inertia: self.inertia,
+            modal: Moments::zero(),
+            first_moment: self.first_moment.map_or(zero, |moment| moment.map(T::constant)),
+            inertia: self.inertia.map(T::constant),
             spin: zero,
             momentum: zero,
             translation: zero,
             rotation: zero,
         };
-        self.moments.multiply(q, q_dot, omega.map(|x| T::TWO * x), &mut state.modal);
+        self.moments.multiply(q, q_dot, omega.map(|x| T::two() * x), &mut state.modal);
         let (q, q_dot) = (groups::<T, M, G>(q), groups::<T, M, G>(q_dot));
         let weights = spin_weights(omega).map(Register::<T>::splat);
-        let mut change = [Register::<T>::ZERO; 6];
-        let mut rate = [Register::<T>::ZERO; 6];
-        let mut spin = [Register::<T>::ZERO; 3];
-        let mut shift = [Register::<T>::ZERO; 3];
-        let mut momentum = [Register::<T>::ZERO; 3];
+        let mut change = [Register::<T>::zero(); 6];
+        let mut rate = [Register::<T>::zero(); 6];
+        let mut spin = [Register::<T>::zero(); 3];
+        let mut shift = [Register::<T>::zero(); 3];
+        let mut momentum = [Register::<T>::zero(); 3];
         for g in 0..G {
             let (q, q_dot) = (q[g], q_dot[g]);
             let base = match self.position_mode_even {
-                Some(even) => even[g].map(|numbers| Register::<T>::load(&numbers)),
-                None => [Register::<T>::ZERO; 6],
+                Some(even) => even[g].map(|numbers| four::<T>(&numbers)),
+                None => [Register::<T>::zero(); 6],
             };
-            let trace = base[0] + self.trace.times(g, q);
+            let trace = base[0] + self.trace.times::<T>(g, q);
             let [yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4]
                 .map(|component| Register::<T>::load(&state.modal.even[component][g]) + base[component + 1]);
             let deformed = [trace, yy, zz, xy, xz, yz];
@@ -119,12 +120,12 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
             for axis in 0..3 {
                 let mut coupling = Register::<T>::load(&state.modal.odd[axis][g]);
                 if let Some(base) = self.position_mode_odd {
-                    coupling = coupling + Register::<T>::load(&base[g][axis]);
+                    coupling = coupling + four::<T>(&base[g][axis]);
                     state.modal.odd[axis][g] = coupling.store();
                 }
                 spin[axis] = coupling.multiply_add(q_dot, spin[axis]);
                 if let Some(moment) = self.modal_first_moment {
-                    let moment = Register::<T>::load(&moment[g][axis]);
+                    let moment = four::<T>(&moment[g][axis]);
                     shift[axis] = moment.multiply_add(q, shift[axis]);
                     momentum[axis] = moment.multiply_add(q_dot, momentum[axis]);
                 }
@@ -136,7 +137,7 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
         let [c0, c1, c2, c3, c4, c5, r0, r1, r2, r3, r4, r5, s0, s1, s2] =
             sums::<T, 15>([c0, c1, c2, c3, c4, c5, r0, r1, r2, r3, r4, r5, s0, s1, s2]);
         state.spin = [s0, s1, s2];
-        state.inertia = add(self.inertia, traced([c0, c1, c2, c3, c4, c5], T::HALF));
+        state.inertia = add(self.inertia.map(T::constant), traced([c0, c1, c2, c3, c4, c5], T::half()));
         state.rotation = rotation(omega, &state, [r0, r1, r2, r3, r4, r5]);
         if self.modal_first_moment.is_some() {
             let [a, b, c] = shift;
@@ -148,7 +149,7 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
         if self.first_moment.is_some() || self.modal_first_moment.is_some() {
             let mut carried = cross(omega, state.first_moment);
             if self.modal_first_moment.is_some() {
-                carried = [0, 1, 2].map(|axis| T::TWO.multiply_add(state.momentum[axis], carried[axis]));
+                carried = [0, 1, 2].map(|axis| T::two().multiply_add(state.momentum[axis], carried[axis]));
             }
             state.translation = cross(omega, carried);
         }
@@ -159,9 +160,9 @@ impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> LaneBod
 /// ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω
 #[inline(always)]
 fn rotation<T: Scalar, const G: usize>(omega: [T; 3], state: &State<T, G>, rate: [T; 6]) -> [T; 3] {
-    let growth = traced(rate, T::ONE);
+    let growth = traced(rate, T::one());
     let growth =
-        [T::TWO * growth[0], T::TWO * growth[1], T::TWO * growth[2], growth[3], growth[4], growth[5]];
+        [T::two() * growth[0], T::two() * growth[1], T::two() * growth[2], growth[3], growth[4], growth[5]];
     let angular = add(times(state.inertia, omega), state.spin);
     add(cross(omega, angular), times(growth, omega))
 }

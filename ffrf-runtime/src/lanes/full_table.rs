@@ -1,5 +1,6 @@
 //! Every T_μν stored: groups of eight lanes, and one of four if their number is odd.
 
+use super::scalar::constants;
 use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
 
 /// T_νμ at `[group][nu][component][lane]`, lanes over μ.
@@ -8,27 +9,27 @@ use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
 /// `2 PAIRS + SINGLE`.
 #[derive(Debug, Clone, Copy)]
 #[repr(C, align(64))]
-pub struct FullTable<T, const M: usize, const PAIRS: usize, const SINGLE: usize> {
+pub struct FullTable<C, const M: usize, const PAIRS: usize, const SINGLE: usize> {
     /// Groups of eight modes.
-    pub eights: [[[[T; 8]; 8]; M]; PAIRS],
+    pub eights: [[[[C; 8]; 8]; M]; PAIRS],
     /// The last group of four modes, if there is one.
-    pub fours: [[[[T; 4]; 8]; M]; SINGLE],
+    pub fours: [[[[C; 4]; 8]; M]; SINGLE],
 }
 
 /// The sums of one group: eight components with q, the last three with q̇.
 #[inline(always)]
 fn group<T: Scalar, R: Lanes<T, W>, const W: usize, const M: usize>(
-    table: &[[[T; W]; 8]; M],
+    table: &[[[T::Constant; W]; 8]; M],
     q: &[T; M],
     q_dot: &[T; M],
     two_omega: [T; 3],
 ) -> ([R; 8], R) {
-    let mut deformed = [R::ZERO; 8];
-    let mut whirl = [R::ZERO; 3];
+    let mut deformed = [R::zero(); 8];
+    let mut whirl = [R::zero(); 3];
     for ((moments, q), q_dot) in table.iter().zip(q).zip(q_dot) {
         let (q, q_dot) = (R::splat(*q), R::splat(*q_dot));
         for component in 0..8 {
-            let moment = R::load(&moments[component]);
+            let moment = constants::<T, R, W>(&moments[component]);
             deformed[component] = moment.multiply_add(q, deformed[component]);
             if component >= 5 {
                 whirl[component - 5] = moment.multiply_add(q_dot, whirl[component - 5]);
@@ -40,7 +41,7 @@ fn group<T: Scalar, R: Lanes<T, W>, const W: usize, const M: usize>(
 }
 
 impl<T: Scalar, const M: usize, const G: usize, const PAIRS: usize, const SINGLE: usize> MomentTable<T, M, G>
-    for FullTable<T, M, PAIRS, SINGLE>
+    for FullTable<T::Constant, M, PAIRS, SINGLE>
 {
     #[inline(always)]
     fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {

@@ -11,6 +11,7 @@
 //!
 //! with + for the even components (symmetric under μ <-> ν) and - for the odd ones (antisymmetric).
 
+use super::scalar::constants;
 use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
 
 /// Moments by blocks of `W` x `W` modes, for `H` rows of blocks; `TILES` = 8 H (H - 1) / 2.
@@ -18,13 +19,13 @@ use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
 /// Components: yy, zz, xy + yx, xz + zx, yz + zy, then ϑ_νμ (3); rows are μ, columns ν.
 #[derive(Debug, Clone, Copy)]
 #[repr(C, align(64))]
-pub struct HalfTable<T, const W: usize, const H: usize, const TILES: usize> {
+pub struct HalfTable<C, const W: usize, const H: usize, const TILES: usize> {
     /// Diagonal blocks, whole: `[row of blocks][component][diagonal][lane]`.
-    pub diagonal: [[[[T; W]; W]; 8]; H],
+    pub diagonal: [[[[C; W]; W]; 8]; H],
     /// One component of a block below the diagonal each, in the order of use: column by column of blocks; in a
     /// column the components in the groups (0, 1), (2, 3), (4), (5), (6), (7); in such a group row by row, then
     /// component by component.
-    pub below: [[[T; W]; W]; TILES],
+    pub below: [[[C; W]; W]; TILES],
 }
 
 type Of<T, const W: usize> = <T as HasLanes<W>>::Lanes;
@@ -62,11 +63,11 @@ fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: us
     column: usize,
     coordinates: &[Of<T, W>; H],
     known: &Column<Of<T, W>, W>,
-    diagonal: &[[[T; W]; W]],
-    below: &mut core::slice::Iter<'a, [[T; W]; W]>,
+    diagonal: &[[[T::Constant; W]; W]],
+    below: &mut core::slice::Iter<'a, [[T::Constant; W]; W]>,
     moments: &mut [[[T; 4]; G]],
 ) {
-    let mut partial = [[Of::<T, W>::ZERO; W]; N];
+    let mut partial = [[Of::<T, W>::zero(); W]; N];
     for row in column + 1..H {
         let q = coordinates[row];
         for (moments, partial) in moments.iter_mut().zip(&mut partial) {
@@ -74,7 +75,7 @@ fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: us
             let Some(place) = blocks_of::<T, W>(moments).get_mut(row) else { return };
             let mut sum = Of::<T, W>::load(place);
             for k in 0..W {
-                let moment = Of::<T, W>::load(&tile[k]);
+                let moment = constants::<T, Of<T, W>, W>(&tile[k]);
                 sum = moment.multiply_add(known.q[k], sum);
                 partial[k] = moment.multiply_add(q, partial[k]);
             }
@@ -85,7 +86,7 @@ fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: us
         let Some(place) = blocks_of::<T, W>(moments).get_mut(column) else { return };
         let mut sum = Of::<T, W>::load(place);
         for k in 0..W {
-            sum = Of::<T, W>::load(&diagonal[k]).multiply_add(known.q[k], sum);
+            sum = constants::<T, Of<T, W>, W>(&diagonal[k]).multiply_add(known.q[k], sum);
         }
         *place = (sum + collect(partial)).store();
     }
@@ -99,14 +100,14 @@ fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
     [coordinates, rates]: [&[Of<T, W>; H]; 2],
     known: &Column<Of<T, W>, W>,
     twice: Of<T, W>,
-    diagonal: &[[T; W]; W],
-    below: &mut core::slice::Iter<'a, [[T; W]; W]>,
+    diagonal: &[[T::Constant; W]; W],
+    below: &mut core::slice::Iter<'a, [[T::Constant; W]; W]>,
     moments: &mut [[T; 4]],
     whirl: &mut [[T; 4]],
     whirl_partial: &mut [Of<T, W>; W],
 ) {
     let (moments, whirl) = (blocks_of::<T, W>(moments), blocks_of::<T, W>(whirl));
-    let mut partial = [Of::<T, W>::ZERO; W];
+    let mut partial = [Of::<T, W>::zero(); W];
     let turned = known.q_dot.map(|rate| rate * twice);
     for row in column + 1..H {
         let (q, rate) = (coordinates[row], rates[row] * twice);
@@ -114,7 +115,7 @@ fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
         let (Some(moments), Some(whirl)) = (moments.get_mut(row), whirl.get_mut(row)) else { return };
         let (mut sum, mut turn) = (Of::<T, W>::load(moments), Of::<T, W>::load(whirl));
         for k in 0..W {
-            let moment = Of::<T, W>::load(&tile[k]);
+            let moment = constants::<T, Of<T, W>, W>(&tile[k]);
             sum = moment.multiply_add(known.q[k], sum);
             turn = moment.multiply_add(turned[k], turn);
             partial[k] = moment.subtract_from(q, partial[k]);
@@ -126,7 +127,7 @@ fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
     let (Some(moments), Some(whirl)) = (moments.get_mut(column), whirl.get_mut(column)) else { return };
     let (mut sum, mut turn) = (Of::<T, W>::load(moments), Of::<T, W>::load(whirl));
     for k in 1..W {
-        let moment = Of::<T, W>::load(&diagonal[k]);
+        let moment = constants::<T, Of<T, W>, W>(&diagonal[k]);
         sum = moment.multiply_add(known.q[k], sum);
         turn = moment.multiply_add(turned[k], turn);
     }
@@ -140,7 +141,7 @@ fn blocks_of<T, const W: usize>(groups: &mut [[T; 4]]) -> &mut [[T; W]] {
 }
 
 impl<T, const M: usize, const G: usize, const W: usize, const H: usize, const TILES: usize>
-    MomentTable<T, M, G> for HalfTable<T, W, H, TILES>
+    MomentTable<T, M, G> for HalfTable<T::Constant, W, H, TILES>
 where
     T: Scalar + HasLanes<W>,
 {
@@ -158,7 +159,7 @@ where
             even::<T, W, H, G, 2>(column, &coordinates, &known, &diagonal[..2], below, &mut evens[..2]);
             even::<T, W, H, G, 2>(column, &coordinates, &known, &diagonal[2..4], below, &mut evens[2..4]);
             even::<T, W, H, G, 1>(column, &coordinates, &known, &diagonal[4..5], below, &mut evens[4..]);
-            let mut partial = [Of::<T, W>::ZERO; W];
+            let mut partial = [Of::<T, W>::zero(); W];
             for axis in 0..3 {
                 odd::<T, W, H>(
                     column,
@@ -184,7 +185,7 @@ where
 fn blocks<T: Scalar + HasLanes<W>, const M: usize, const W: usize, const H: usize>(
     numbers: &[T; M],
 ) -> [Of<T, W>; H] {
-    let mut padded = [[T::ZERO; W]; H];
+    let mut padded = [[T::zero(); W]; H];
     for (place, number) in padded.as_flattened_mut().iter_mut().zip(numbers) {
         *place = *number;
     }

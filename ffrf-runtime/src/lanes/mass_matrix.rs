@@ -1,16 +1,20 @@
 //! The dense mass matrix.
 
 use super::equations::State;
-use super::scalar::{Register, ungroup};
+use super::scalar::{Register, four, ungroup};
 use super::{Diagonal, Four, LaneBody, Lanes, Scalar};
 
-impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
     /// Writes M(q), columns of N = 6 + M entries. Source: (203), body-resolved, signs corrected.
     #[inline(always)]
-    pub(super) fn write_mass_matrix<const N: usize>(&self, state: &State<T, G>, columns: &mut [[T; N]; N]) {
+    pub(super) fn write_mass_matrix<T: Scalar<Constant = C>, const N: usize>(
+        &self,
+        state: &State<T, G>,
+        columns: &mut [[T; N]; N],
+    ) {
         const { assert!(N == 6 + M) };
-        let zero = T::ZERO;
-        let (mass, [x, y, z]) = (self.mass, state.first_moment);
+        let zero = T::zero();
+        let (mass, [x, y, z]) = (T::constant(self.mass), state.first_moment);
         let [xx, yy, zz, xy, xz, yz] = state.inertia;
         let rigid = [
             [mass, zero, zero, zero, z, -y],
@@ -31,7 +35,7 @@ impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
         for (axis, along, about) in columns {
             match self.modal_first_moment {
                 None => along[6..].fill(zero),
-                Some(moments) => ungroup(|g| moments[g][axis], &mut along[6..]),
+                Some(moments) => ungroup(|g| moments[g][axis].map(T::constant), &mut along[6..]),
             }
             ungroup(|g| state.modal.odd[axis][g], &mut about[6..]);
         }
@@ -49,19 +53,19 @@ impl<T: Scalar, const M: usize, const G: usize, P> LaneBody<T, M, G, P> {
 #[inline]
 fn write_modal_columns<T: Scalar, const N: usize>(
     [first, second, third]: [&[[T; 4]]; 3],
-    moments: Option<&[[[T; 4]; 3]]>,
-    modal_mass: Option<&[[T; 4]]>,
+    moments: Option<&[[[T::Constant; 4]; 3]]>,
+    modal_mass: Option<&[[T::Constant; 4]]>,
     columns: &mut [[T; N]],
 ) {
     let groups = first.iter().zip(second).zip(third);
     for (g, (((first, second), third), columns)) in groups.zip(columns.chunks_mut(4)).enumerate() {
         let moments = match moments.and_then(|moments| moments.get(g)) {
-            Some(moments) => moments.map(|numbers| Register::<T>::load(&numbers)),
-            None => [Register::<T>::ZERO; 3],
+            Some(moments) => moments.map(|numbers| four::<T>(&numbers)),
+            None => [Register::<T>::zero(); 3],
         };
         let modal_mass = match modal_mass.and_then(|modal_mass| modal_mass.get(g)) {
-            Some(modal_mass) => *modal_mass,
-            None => [T::ONE; 4],
+            Some(modal_mass) => modal_mass.map(T::constant),
+            None => [T::one(); 4],
         };
         let heads =
             Register::<T>::transpose([moments[0], moments[1], moments[2], Register::<T>::load(first)]);
@@ -69,7 +73,7 @@ fn write_modal_columns<T: Scalar, const N: usize>(
             let Some((top, bottom)) = column.split_first_chunk_mut::<6>() else { return };
             top[..4].copy_from_slice(&heads[k].store());
             [top[4], top[5]] = [second[k], third[k]];
-            bottom.fill(T::ZERO);
+            bottom.fill(T::zero());
             if let Some(entry) = bottom.get_mut(4 * g + k) {
                 *entry = modal_mass[k];
             }

@@ -12,6 +12,7 @@
 //!
 //! Safe code on every target: the registers are those of the `wide` crate, which falls back to arrays.
 
+mod array;
 mod body;
 mod dynamics;
 mod energy;
@@ -24,6 +25,7 @@ mod rigid;
 mod scalar;
 mod vector;
 
+pub use array::ArrayLanes;
 pub use body::{Diagonal, LaneBody};
 pub use equations::State;
 pub use full_table::FullTable;

@@ -18,8 +18,11 @@ pub struct Moments<T: Scalar, const G: usize> {
 
 impl<T: Scalar, const G: usize> Moments<T, G> {
     /// All zero.
-    pub const ZERO: Self =
-        Self { even: [[[T::ZERO; 4]; G]; 5], odd: [[[T::ZERO; 4]; G]; 3], whirl: [[T::ZERO; 4]; G] };
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = T::zero();
+        Self { even: [[[zero; 4]; G]; 5], odd: [[[zero; 4]; G]; 3], whirl: [[zero; 4]; G] }
+    }
 }
 
 /// The moments T_μν of a body, as a table that can be multiplied.

@@ -30,7 +30,7 @@ pub(super) fn inverse<T: Scalar>([xx, yy, zz, xy, xz, yz]: [T; 6]) -> [T; 6] {
     let c_xx = yy.multiply_add(zz, -(yz * yz));
     let c_xy = xz.multiply_add(yz, -(xy * zz));
     let c_xz = xy.multiply_add(yz, -(xz * yy));
-    let factor = T::ONE / dot([xx, xy, xz], [c_xx, c_xy, c_xz]);
+    let factor = T::one() / dot([xx, xy, xz], [c_xx, c_xy, c_xz]);
     let c_yy = xx.multiply_add(zz, -(xz * xz));
     let c_zz = xx.multiply_add(yy, -(xy * xy));
     let c_yz = xy.multiply_add(xz, -(xx * yz));

@@ -6,6 +6,9 @@ use super::{Four, HasLanes, Lanes};
 use crate::generated_support::{fused_multiply_add, fused_multiply_add_f32};
 
 /// A scalar with registers of four and eight lanes.
+///
+/// f64 and f32 have those of the processor. Any other number type (dual numbers, symbols) gets arrays, see
+/// [`ArrayLanes`](super::ArrayLanes), and computes with the same loops.
 pub trait Scalar:
     Copy
     + Add<Output = Self>
@@ -19,44 +22,80 @@ pub trait Scalar:
     + HasLanes<8>
     + 'static
 {
+    /// What the constant tables hold: the scalar itself, or the plain number that it is made from.
+    type Constant: Copy + 'static;
+
+    /// The scalar of a constant.
+    fn constant(constant: Self::Constant) -> Self;
     /// 0.
-    const ZERO: Self;
+    fn zero() -> Self;
     /// 1/2.
-    const HALF: Self;
+    fn half() -> Self;
     /// 1.
-    const ONE: Self;
+    fn one() -> Self;
     /// 2.
-    const TWO: Self;
+    fn two() -> Self;
     /// `self * factor + term`, fused where the target does that in hardware.
     fn multiply_add(self, factor: Self, term: Self) -> Self;
 }
 
-impl Scalar for f64 {
-    const ZERO: Self = 0.0;
-    const HALF: Self = 0.5;
-    const ONE: Self = 1.0;
-    const TWO: Self = 2.0;
+macro_rules! processor_scalar {
+    ($($scalar:ty: $multiply_add:path;)*) => {$(
+        impl Scalar for $scalar {
+            type Constant = Self;
 
-    #[inline(always)]
-    fn multiply_add(self, factor: Self, term: Self) -> Self {
-        fused_multiply_add(self, factor, term)
-    }
+            #[inline(always)]
+            fn constant(constant: Self) -> Self {
+                constant
+            }
+
+            #[inline(always)]
+            fn zero() -> Self {
+                0.0
+            }
+
+            #[inline(always)]
+            fn half() -> Self {
+                0.5
+            }
+
+            #[inline(always)]
+            fn one() -> Self {
+                1.0
+            }
+
+            #[inline(always)]
+            fn two() -> Self {
+                2.0
+            }
+
+            #[inline(always)]
+            fn multiply_add(self, factor: Self, term: Self) -> Self {
+                $multiply_add(self, factor, term)
+            }
+        }
+    )*};
 }
 
-impl Scalar for f32 {
-    const ZERO: Self = 0.0;
-    const HALF: Self = 0.5;
-    const ONE: Self = 1.0;
-    const TWO: Self = 2.0;
-
-    #[inline(always)]
-    fn multiply_add(self, factor: Self, term: Self) -> Self {
-        fused_multiply_add_f32(self, factor, term)
-    }
+processor_scalar! {
+    f64: fused_multiply_add;
+    f32: fused_multiply_add_f32;
 }
 
 /// A register of four lanes.
 pub(super) type Register<T> = <T as HasLanes<4>>::Lanes;
+
+/// A register of constants.
+#[inline(always)]
+pub(super) fn constants<T: Scalar, R: Lanes<T, W>, const W: usize>(numbers: &[T::Constant; W]) -> R {
+    R::load(&numbers.map(T::constant))
+}
+
+/// [`constants`] of a group of four.
+#[inline(always)]
+pub(super) fn four<T: Scalar>(numbers: &[T::Constant; 4]) -> Register<T> {
+    constants::<T, Register<T>, 4>(numbers)
+}
 
 /// The numbers in groups of four, padded with zero. `G` groups must hold them all.
 #[inline(always)]
@@ -67,13 +106,13 @@ pub(super) fn groups<T: Scalar, const M: usize, const G: usize>(numbers: &[T; M]
 /// [`groups`] of a slice.
 #[inline(always)]
 pub(super) fn grouped<T: Scalar, const G: usize>(numbers: &[T]) -> [Register<T>; G] {
-    let mut groups = [Register::<T>::ZERO; G];
+    let mut groups = [Register::<T>::zero(); G];
     let (whole, rest) = numbers.as_chunks::<4>();
     for (group, numbers) in groups.iter_mut().zip(whole) {
         *group = Lanes::load(numbers);
     }
     if let (false, Some(group)) = (rest.is_empty(), groups.last_mut()) {
-        let mut padded = [T::ZERO; 4];
+        let mut padded = [T::zero(); 4];
         for (place, number) in padded.iter_mut().zip(rest) {
             *place = *number;
         }

@@ -9,7 +9,7 @@ pub trait Lanes<T, const W: usize>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
     /// Every lane zero.
-    const ZERO: Self;
+    fn zero() -> Self;
     /// The numbers, one per lane.
     fn load(numbers: &[T; W]) -> Self;
     /// The lanes as numbers.
@@ -60,7 +60,10 @@ macro_rules! lanes {
         }
 
         impl Lanes<$scalar, $count> for $register {
-            const ZERO: Self = <$register>::new([0.0; $count]);
+            #[inline(always)]
+            fn zero() -> Self {
+                Self::new([0.0; $count])
+            }
 
             #[inline(always)]
             fn load(numbers: &[$scalar; $count]) -> Self {
