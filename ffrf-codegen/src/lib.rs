@@ -14,6 +14,7 @@ pub mod derive;
 pub mod expression;
 pub mod fidelity;
 pub mod formulate;
+pub mod lanes;
 pub mod layout;
 pub mod polynomial;
 
@@ -22,7 +23,6 @@ mod emit;
 mod error;
 mod generate;
 mod interpreted;
-mod lanes;
 mod options;
 pub mod passes;
 mod report;

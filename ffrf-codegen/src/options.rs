@@ -13,11 +13,27 @@ pub enum ScalarType {
 }
 
 impl ScalarType {
+    /// Every type, the default first.
+    pub const ALL: [Self; 2] = [Self::F64, Self::F32];
+
+    /// The type of that name, if there is one.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|scalar| scalar.name() == name)
+    }
+
     /// The Rust name of the type.
     pub fn name(self) -> &'static str {
         match self {
             Self::F64 => "f64",
             Self::F32 => "f32",
+        }
+    }
+
+    /// Size of a number. Units: bytes.
+    pub(crate) fn bytes(self) -> usize {
+        match self {
+            Self::F64 => 8,
+            Self::F32 => 4,
         }
     }
 
@@ -43,6 +59,14 @@ pub enum FusedMultiplyAdd {
 }
 
 impl FusedMultiplyAdd {
+    /// Every choice, the default first.
+    pub const ALL: [Self; 3] = [Self::Auto, Self::On, Self::Off];
+
+    /// The choice of that name, if there is one.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|choice| choice.name() == name)
+    }
+
     /// The name by which the macro and the command line know the choice.
     pub fn name(self) -> &'static str {
         match self {
@@ -66,6 +90,9 @@ pub enum Strategy {
 }
 
 impl Strategy {
+    /// Every choice, the default first.
+    pub const ALL: [Self; 3] = [Self::Auto, Self::StraightLine, Self::Lanes];
+
     /// The name by which the macro and the command line know the choice.
     pub fn name(self) -> &'static str {
         match self {
@@ -77,7 +104,7 @@ impl Strategy {
 
     /// The choice of that name, if there is one.
     pub fn from_name(name: &str) -> Option<Self> {
-        [Self::Auto, Self::StraightLine, Self::Lanes].into_iter().find(|strategy| strategy.name() == name)
+        Self::ALL.into_iter().find(|strategy| strategy.name() == name)
     }
 }
 

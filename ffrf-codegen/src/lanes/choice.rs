@@ -1,5 +1,7 @@
 //! Which strategy a body gets.
 
+use ffrf_model::ReducedBody;
+
 use super::LaneTables;
 use crate::body::BodyExpressions;
 use crate::expression::Graph;
@@ -9,6 +11,18 @@ use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
 
 /// From this number of modes on, lanes are chosen. Measured, see docs/benchmarks.
 const LANES_FROM: usize = 6;
+
+/// The tables in the code that [`generate`](crate::generate) makes of a body; `None` if that code is straight-line.
+///
+/// Whoever runs the loops of the runtime over them computes what the generated code computes.
+/// Errors: as those of `generate`.
+pub fn tables_of(body: &ReducedBody, options: &GenerateOptions) -> Result<Option<LaneTables>, CodegenError> {
+    let body = crate::prepare(body, options)?;
+    let mut graph = Graph::new();
+    let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
+        .truncated(&mut graph, &options.fidelity);
+    choose(&graph, &expressions, options)
+}
 
 /// The tables if the body is to be computed in lanes, `None` for straight-line code.
 ///

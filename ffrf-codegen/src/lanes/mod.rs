@@ -5,9 +5,14 @@
 //! ```
 
 mod choice;
+mod moment_tables;
+mod table;
 mod tables;
 mod text;
 
 pub(crate) use choice::choose;
-pub(crate) use tables::LaneTables;
+pub use choice::tables_of;
+pub use moment_tables::MomentTables;
+pub use table::Table;
+pub use tables::{Diagonal, LaneTables};
 pub(crate) use text::{IN_LANES, functions, trait_method};

@@ -1,71 +1,54 @@
 //! The numbers of a body in the layout of vector registers, padded with zero.
 
+use super::{MomentTables, Table};
 use crate::body::{BodyExpressions, MomentComponents};
 use crate::expression::{Expression, Graph};
 use crate::{CodegenError, ScalarType};
 
-/// Largest table of all moments, in bytes, that is stored whole: with coordinates and results it stays in a
-/// first-level cache of 32 KB. Larger ones are stored by half.
-const LARGEST_WHOLE_TABLE: usize = 24 * 1024;
-
 /// A diagonal matrix over the modes.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Diagonal {
+pub enum Diagonal {
+    /// Nothing.
     Zero,
+    /// Ones.
     Identity,
-    Entries(Vec<f64>),
+    /// These entries. Shape: groups, lanes (4).
+    Entries(Table),
 }
 
-/// The moments T_νμ in the eight components of a product, at `(component, mu, nu)`.
-#[derive(Debug, Clone)]
-pub(crate) struct Moments {
-    entries: Vec<f64>,
-    modes: usize,
-}
-
-/// How the moments are stored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Storage {
-    /// No moment is left.
-    None,
-    /// All of them, in this many pairs of groups of four lanes, and a single group or none.
-    Whole { pairs: usize, single: usize },
-    /// Half of them, in blocks of this width, and this many rows of blocks.
-    Half { width: usize, rows: usize },
-}
-
-/// What a `LaneBody` consists of.
-#[derive(Debug, Clone)]
-pub(crate) struct LaneTables {
-    pub(crate) modes: usize,
-    /// Groups of four lanes.
-    pub(crate) groups: usize,
-    pub(crate) mass: f64,
-    pub(crate) first_moment: Option<[f64; 3]>,
-    pub(crate) modal_first_moment: Option<Vec<[f64; 3]>>,
-    /// xx, yy, zz, xy, xz, yz.
-    pub(crate) inertia: [f64; 6],
-    /// Inverse of the mass left for translation: xx, yy, zz, xy, xz, yz.
-    pub(crate) translation_compliance: [f64; 6],
-    pub(crate) position_mode_even: Option<Vec<[f64; 6]>>,
-    pub(crate) position_mode_odd: Option<Vec<[f64; 3]>>,
-    pub(crate) trace: Diagonal,
-    pub(crate) modal_mass: Diagonal,
-    pub(crate) modal_compliance: Diagonal,
+/// The numbers of a body whose kernels are loops over lanes, as the generated `static` holds them.
+///
+/// A lane is a mode; lanes stand in groups of four, padded with zero. Frame: body. What is `None` the layout leaves out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LaneTables {
+    /// Number of modes M.
+    pub modes: usize,
+    /// Number of groups of four lanes.
+    pub groups: usize,
+    /// Mass m. Units: kg.
+    pub mass: f64,
+    /// First moment m a. Shape: 3. Units: kg m.
+    pub first_moment: Option<[f64; 3]>,
+    /// m b_μ. Shape: groups, axes (3), lanes (4).
+    pub modal_first_moment: Option<Table>,
+    /// Inertia tensor: xx, yy, zz, xy, xz, yz. Units: kg m².
+    pub inertia: [f64; 6],
+    /// Inverse of the mass left for translation: xx, yy, zz, xy, xz, yz. Units: 1/kg.
+    pub translation_compliance: [f64; 6],
+    /// tr T_μ, then yy, zz, xy + yx, xz + zx, yz + zy of T_μ. Shape: groups, components (6), lanes (4).
+    pub position_mode_even: Option<Table>,
+    /// ϑ_μ. Shape: groups, axes (3), lanes (4).
+    pub position_mode_odd: Option<Table>,
+    /// tr T_μμ.
+    pub trace: Diagonal,
+    /// Θ_ff.
+    pub modal_mass: Diagonal,
+    /// Θ_ff⁻¹.
+    pub modal_compliance: Diagonal,
     /// K_ff and D_ff if both are diagonal.
-    pub(crate) internal: Option<[Diagonal; 2]>,
-    pub(crate) moments: Moments,
-    pub(crate) storage: Storage,
-}
-
-impl Moments {
-    /// Component `component` of T_νμ; zero outside the modes.
-    pub(crate) fn at(&self, component: usize, mu: usize, nu: usize) -> f64 {
-        if mu >= self.modes || nu >= self.modes {
-            return 0.0;
-        }
-        self.entries[(component * self.modes + mu) * self.modes + nu]
-    }
+    pub internal: Option<[Diagonal; 2]>,
+    /// T_νμ.
+    pub moments: MomentTables,
 }
 
 impl LaneTables {
@@ -89,84 +72,50 @@ impl LaneTables {
                 }
             }
         }
-        let storage = storage(modes, scalar, entries.iter().all(|entry| *entry == 0.0));
+        let is_empty = entries.iter().all(|entry| *entry == 0.0);
+        let moments = MomentTables::new(modes, scalar, is_empty, |component, mu, nu| {
+            let inside = mu < modes && nu < modes;
+            if inside { entries[(component * modes + mu) * modes + nu] } else { 0.0 }
+        });
+        let groups = moments.groups(modes);
         let mass = value(body.mass);
         let first: Vec<[f64; 3]> = body.modal_first_moment.iter().map(|moment| moment.map(value)).collect();
         let modal_mass: Vec<f64> = (0..modes).map(|mu| value(body.modal_mass[mu][mu])).collect();
         let [xx, yy, zz] = body.inertia.diagonal.map(value);
         let [yz, xz, xy] = body.inertia.off_diagonal.map(value);
+        let internal = diagonal_of(graph, &body.stiffness).zip(diagonal_of(graph, &body.damping));
         Ok(Self {
             modes,
-            groups: match storage {
-                Storage::Half { width, rows } => width * rows / 4,
-                _ => modes.div_ceil(4),
-            },
+            groups,
             mass,
             first_moment: Some(body.first_moment.map(value)).filter(|moment| !is_zero(moment)),
             translation_compliance: translation_compliance(mass, &first, &modal_mass)?,
-            modal_first_moment: Some(first).filter(|first| !is_zero(first.as_flattened())),
+            modal_first_moment: in_lanes(groups, first),
             inertia: [xx, yy, zz, xy, xz, yz],
-            position_mode_even: kept(body.position_mode.iter().map(even).collect()),
-            position_mode_odd: kept(body.position_mode.iter().map(odd).collect()),
-            trace: diagonal((0..modes).map(|mu| value(body.mode_mode[mu][mu].even[0])).collect()),
-            modal_compliance: diagonal(modal_mass.iter().map(|mass| 1.0 / mass).collect()),
-            modal_mass: diagonal(modal_mass),
-            internal: diagonal_of(graph, &body.stiffness)
-                .zip(diagonal_of(graph, &body.damping))
-                .map(|(stiffness, damping)| [stiffness, damping]),
-            moments: Moments { entries, modes },
-            storage,
+            position_mode_even: in_lanes(groups, body.position_mode.iter().map(even).collect()),
+            position_mode_odd: in_lanes(groups, body.position_mode.iter().map(odd).collect()),
+            trace: diagonal(groups, (0..modes).map(|mu| value(body.mode_mode[mu][mu].even[0])).collect()),
+            modal_compliance: diagonal(groups, modal_mass.iter().map(|mass| 1.0 / mass).collect()),
+            modal_mass: diagonal(groups, modal_mass),
+            internal: internal
+                .map(|(stiffness, damping)| [diagonal(groups, stiffness), diagonal(groups, damping)]),
+            moments,
         })
     }
 
     /// The strategy in words, for the banner.
     pub(crate) fn description(&self, scalar: ScalarType) -> String {
-        let storage = match self.storage {
-            Storage::None => "no moments of pairs of modes".to_owned(),
-            Storage::Whole { .. } => {
-                format!("whole table of moments, {} bytes", self.moment_bytes(scalar))
-            }
-            Storage::Half { width, .. } => format!(
-                "table of moments by half in blocks of {width} x {width}, {} bytes",
-                self.moment_bytes(scalar)
-            ),
-        };
-        format!("lanes over modes, {} groups of 4; {storage}", self.groups)
+        format!("lanes over modes, {} groups of 4; {}", self.groups, self.moments.description(scalar))
     }
 
     /// Bytes of the table of moments.
     pub(crate) fn moment_bytes(&self, scalar: ScalarType) -> usize {
-        let numbers = match self.storage {
-            Storage::None => 0,
-            Storage::Whole { .. } => 32 * self.groups * self.modes,
-            Storage::Half { width, rows } => 8 * width * width * rows * (rows + 1) / 2,
-        };
-        numbers * scalar_bytes(scalar)
-    }
-}
-
-fn scalar_bytes(scalar: ScalarType) -> usize {
-    match scalar {
-        ScalarType::F64 => 8,
-        ScalarType::F32 => 4,
-    }
-}
-
-fn storage(modes: usize, scalar: ScalarType, is_empty: bool) -> Storage {
-    let groups = modes.div_ceil(4);
-    if is_empty {
-        Storage::None
-    } else if 32 * groups * modes * scalar_bytes(scalar) <= LARGEST_WHOLE_TABLE {
-        Storage::Whole { pairs: groups / 2, single: groups % 2 }
-    } else {
-        // A register of 32 bytes is the widest that every current x86-64 processor works on at full rate.
-        let width = 32 / scalar_bytes(scalar);
-        Storage::Half { width, rows: modes.div_ceil(width) }
+        self.moments.bytes(scalar)
     }
 }
 
 /// The diagonal of a matrix that has nothing else.
-fn diagonal_of(graph: &Graph, matrix: &[Vec<Expression>]) -> Option<Diagonal> {
+fn diagonal_of(graph: &Graph, matrix: &[Vec<Expression>]) -> Option<Vec<f64>> {
     let mut entries = Vec::with_capacity(matrix.len());
     for (mu, row) in matrix.iter().enumerate() {
         if row.iter().enumerate().any(|(nu, entry)| mu != nu && !graph.is_zero(*entry)) {
@@ -174,24 +123,27 @@ fn diagonal_of(graph: &Graph, matrix: &[Vec<Expression>]) -> Option<Diagonal> {
         }
         entries.push(graph.constant_value(row[mu])?);
     }
-    Some(diagonal(entries))
+    Some(entries)
 }
 
 fn is_zero(numbers: &[f64]) -> bool {
     numbers.iter().all(|number| *number == 0.0)
 }
 
-fn kept<const K: usize>(rows: Vec<[f64; K]>) -> Option<Vec<[f64; K]>> {
-    Some(rows).filter(|rows| !is_zero(rows.as_flattened()))
+/// One row per mode in lanes, `None` if all are zero. Shape: groups, K, lanes (4).
+fn in_lanes<const K: usize>(groups: usize, rows: Vec<[f64; K]>) -> Option<Table> {
+    let at = |[group, k, lane]: [usize; 3]| rows.get(4 * group + lane).map_or(0.0, |row| row[k]);
+    (!is_zero(rows.as_flattened())).then(|| Table::new([groups, K, 4], at))
 }
 
-fn diagonal(entries: Vec<f64>) -> Diagonal {
+fn diagonal(groups: usize, entries: Vec<f64>) -> Diagonal {
     if is_zero(&entries) {
         Diagonal::Zero
     } else if entries.iter().all(|entry| *entry == 1.0) {
         Diagonal::Identity
     } else {
-        Diagonal::Entries(entries)
+        let at = |[group, lane]: [usize; 2]| entries.get(4 * group + lane).copied().unwrap_or(0.0);
+        Diagonal::Entries(Table::new([groups, 4], at))
     }
 }
 

@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::LaneTables;
-use super::tables::{Diagonal, Storage};
+use super::{Diagonal, LaneTables, MomentTables, Table};
 use crate::ScalarType;
 use crate::emit::literal;
 use crate::formulate::KernelKind;
@@ -137,45 +136,34 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
 fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
     let (modes, groups, name) = (tables.modes, tables.groups, scalar.name());
     let mut text = String::new();
-    let mut item = |name: &str, meaning: &str, kind: String, value: String| {
+    let mut item = |name: &str, meaning: &str, table: &Table| {
+        let (kind, value) = (array_type(table.shape(), scalar), nested(table, 2, scalar));
         let _ = writeln!(text, "    /// {meaning}\n    static {name}: {kind} = {value};\n");
-        format!("::core::option::Option::Some(&{name})")
     };
-    let none = || "::core::option::Option::None".to_owned();
-    let padded = 4 * groups;
-    let modal_first_moment = tables.modal_first_moment.as_ref().map_or_else(none, |rows| {
-        item(
-            "MODAL_FIRST_MOMENT",
-            "m b_μ. Units: kg m per unit modal coordinate. Layout: group, axis, lane.",
-            format!("[[[{name}; 4]; 3]; {groups}]"),
-            lanes(padded, 3, scalar, |mu, k| rows.get(mu).map_or(0.0, |row| row[k])),
-        )
-    });
-    let position_mode_even = tables.position_mode_even.as_ref().map_or_else(none, |rows| {
-        item(
-            "POSITION_MODE_EVEN",
-            "tr T_μ, yy, zz, xy + yx, xz + zx, yz + zy of T_μ. Layout: group, component, lane.",
-            format!("[[[{name}; 4]; 6]; {groups}]"),
-            lanes(padded, 6, scalar, |mu, k| rows.get(mu).map_or(0.0, |row| row[k])),
-        )
-    });
-    let position_mode_odd = tables.position_mode_odd.as_ref().map_or_else(none, |rows| {
-        item(
-            "POSITION_MODE_ODD",
-            "ϑ_μ. Layout: group, axis, lane.",
-            format!("[[[{name}; 4]; 3]; {groups}]"),
-            lanes(padded, 3, scalar, |mu, k| rows.get(mu).map_or(0.0, |row| row[k])),
-        )
-    });
+    let mut optional = |name: &str, meaning: &str, table: &Option<Table>| match table {
+        Some(table) => {
+            item(name, meaning, table);
+            format!("::core::option::Option::Some(&{name})")
+        }
+        None => "::core::option::Option::None".to_owned(),
+    };
+    let modal_first_moment = optional(
+        "MODAL_FIRST_MOMENT",
+        "m b_μ. Units: kg m per unit modal coordinate. Layout: group, axis, lane.",
+        &tables.modal_first_moment,
+    );
+    let position_mode_even = optional(
+        "POSITION_MODE_EVEN",
+        "tr T_μ, yy, zz, xy + yx, xz + zx, yz + zy of T_μ. Layout: group, component, lane.",
+        &tables.position_mode_even,
+    );
+    let position_mode_odd =
+        optional("POSITION_MODE_ODD", "ϑ_μ. Layout: group, axis, lane.", &tables.position_mode_odd);
     let mut diagonal = |name: &str, meaning: &str, diagonal: &Diagonal| match diagonal {
         Diagonal::Zero => "support::lanes::Diagonal::Zero".to_owned(),
         Diagonal::Identity => "support::lanes::Diagonal::Identity".to_owned(),
-        Diagonal::Entries(entries) => {
-            let rows: Vec<String> = (0..groups)
-                .map(|g| row(4, scalar, |k| entries.get(4 * g + k).copied().unwrap_or(0.0)))
-                .collect();
-            let kind = format!("[[{}; 4]; {groups}]", scalar.name());
-            item(name, meaning, kind, nested(&rows, 2));
+        Diagonal::Entries(table) => {
+            item(name, meaning, table);
             format!("support::lanes::Diagonal::Entries(&{name})")
         }
     };
@@ -191,10 +179,11 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
         None => (diagonal("", "", &Diagonal::Zero), diagonal("", "", &Diagonal::Zero)),
     };
     let (kind, moments) = moments(tables, scalar);
-    let array = |numbers: &[f64]| row(numbers.len(), scalar, |k| numbers[k]);
-    let first_moment = tables
-        .first_moment
-        .map_or_else(none, |moment| format!("::core::option::Option::Some({})", array(&moment)));
+    let array = |numbers: &[f64]| row(numbers, scalar);
+    let first_moment = match tables.first_moment {
+        Some(moment) => format!("::core::option::Option::Some({})", array(&moment)),
+        None => "::core::option::Option::None".to_owned(),
+    };
     let mass = literal(tables.mass, scalar);
     let _ = writeln!(
         text,
@@ -224,92 +213,62 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
 /// Type and value of the table of moments.
 fn moments(tables: &LaneTables, scalar: ScalarType) -> (String, String) {
     let (modes, name) = (tables.modes, scalar.name());
-    let moment = |component, mu, nu| tables.moments.at(component, mu, nu);
-    match tables.storage {
-        Storage::None => ("()".to_owned(), "()".to_owned()),
-        Storage::Whole { pairs, single } => {
-            let group = |start: usize, width: usize| {
-                let columns: Vec<String> = (0..modes)
-                    .map(|nu| {
-                        let rows: Vec<String> =
-                            (0..8).map(|c| row(width, scalar, |lane| moment(c, start + lane, nu))).collect();
-                        nested(&rows, 5)
-                    })
-                    .collect();
-                nested(&columns, 4)
-            };
-            let eights: Vec<String> = (0..pairs).map(|pair| group(8 * pair, 8)).collect();
-            let fours: Vec<String> = (0..single).map(|_| group(8 * pairs, 4)).collect();
+    let structure = |kind: &str, fields: [(&str, &Table); 2]| {
+        let mut text = format!("support::lanes::{kind} {{\n");
+        for (field, table) in fields {
+            let _ = writeln!(text, "            {field}: {},", nested(table, 3, scalar));
+        }
+        text.push_str("        }");
+        text
+    };
+    match &tables.moments {
+        MomentTables::None => ("()".to_owned(), "()".to_owned()),
+        MomentTables::Whole { eights, fours } => {
+            let (pairs, single) = (eights.shape()[0], fours.shape()[0]);
             (
                 format!("support::lanes::FullTable<{name}, {modes}, {pairs}, {single}>"),
-                format!(
-                    "support::lanes::FullTable {{\n            eights: {},\n            fours: {},\n        }}",
-                    nested(&eights, 3),
-                    nested(&fours, 3)
-                ),
+                structure("FullTable", [("eights", eights), ("fours", fours)]),
             )
         }
-        Storage::Half { width, rows } => {
-            // Diagonal k of a block: row r, column (r + k) mod width.
-            let tile = |component: usize, block_row: usize, block_column: usize, indent: usize| {
-                let diagonals: Vec<String> = (0..width)
-                    .map(|k| {
-                        row(width, scalar, |r| {
-                            moment(component, width * block_row + r, width * block_column + (r + k) % width)
-                        })
-                    })
-                    .collect();
-                nested(&diagonals, indent)
-            };
-            let diagonal: Vec<String> =
-                (0..rows).map(|h| nested(&(0..8).map(|c| tile(c, h, h, 5)).collect::<Vec<_>>(), 4)).collect();
-            let mut below = Vec::new();
-            for column in 0..rows {
-                for components in [0..2, 2..4, 4..5, 5..6, 6..7, 7..8] {
-                    for block_row in column + 1..rows {
-                        below.extend(components.clone().map(|c| tile(c, block_row, column, 4)));
-                    }
-                }
-            }
+        MomentTables::Half { diagonal, below } => {
+            let (rows, width, tiles) = (diagonal.shape()[0], diagonal.shape()[2], below.shape()[0]);
             (
-                format!("support::lanes::HalfTable<{name}, {width}, {rows}, {}>", below.len()),
-                format!(
-                    "support::lanes::HalfTable {{\n            diagonal: {},\n            below: {},\n        }}",
-                    nested(&diagonal, 3),
-                    nested(&below, 3)
-                ),
+                format!("support::lanes::HalfTable<{name}, {width}, {rows}, {tiles}>"),
+                structure("HalfTable", [("diagonal", diagonal), ("below", below)]),
             )
         }
     }
 }
 
-/// `[[[lane; 4]; components]; groups]`
-fn lanes(padded: usize, components: usize, scalar: ScalarType, at: impl Fn(usize, usize) -> f64) -> String {
-    let groups: Vec<String> = (0..padded / 4)
-        .map(|g| {
-            let rows: Vec<String> =
-                (0..components).map(|k| row(4, scalar, |lane| at(4 * g + lane, k))).collect();
-            nested(&rows, 3)
-        })
-        .collect();
-    nested(&groups, 2)
+/// `[[[f64; 4]; 3]; 2]` for the shape 2, 3, 4.
+fn array_type(shape: &[usize], scalar: ScalarType) -> String {
+    shape.iter().rev().fold(scalar.name().to_owned(), |inner, length| format!("[{inner}; {length}]"))
 }
 
-fn row(count: usize, scalar: ScalarType, at: impl Fn(usize) -> f64) -> String {
-    let entries: Vec<String> = (0..count).map(|k| literal(at(k), scalar)).collect();
+fn row(numbers: &[f64], scalar: ScalarType) -> String {
+    let entries: Vec<String> = numbers.iter().map(|number| literal(*number, scalar)).collect();
     format!("[{}]", entries.join(", "))
 }
 
-/// The entries in brackets, one a line, at a level of indentation.
-fn nested(entries: &[String], level: usize) -> String {
-    if entries.is_empty() {
-        return "[]".to_owned();
+/// A table in brackets, an innermost array a line; `level` is the indentation of its entries.
+fn nested(table: &Table, level: usize, scalar: ScalarType) -> String {
+    fn write(shape: &[usize], entries: &[f64], level: usize, scalar: ScalarType, text: &mut String) {
+        match shape {
+            [] | [0, ..] => text.push_str("[]"),
+            [_] => text.push_str(&row(entries, scalar)),
+            [count, inner @ ..] => {
+                text.push_str("[\n");
+                for part in entries.chunks((entries.len() / count).max(1)) {
+                    text.push_str(&"    ".repeat(level));
+                    write(inner, part, level + 1, scalar, text);
+                    text.push_str(",\n");
+                }
+                text.push_str(&"    ".repeat(level - 1));
+                text.push(']');
+            }
+        }
     }
-    let indent = "    ".repeat(level);
-    let mut text = String::from("[\n");
-    for entry in entries {
-        let _ = writeln!(text, "{indent}{entry},");
-    }
-    let _ = write!(text, "{}]", "    ".repeat(level - 1));
+    let mut text = String::new();
+    write(table.shape(), table.entries(), level, scalar, &mut text);
     text
 }
