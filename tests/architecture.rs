@@ -39,7 +39,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         (
             "ffrf-cli",
             entry(
-                &["ffrf-codegen", "ffrf-fe", "ffrf-model"],
+                &["ffrf-codegen", "ffrf-fe", "ffrf-model", "ffrf-runtime"],
                 &["anyhow", "clap", "faer", "indicatif", "prettyplease", "serde", "serde_json", "tempfile"],
             ),
         ),

@@ -1,17 +1,18 @@
 //! `ffrf evaluate`: the kernels at given states.
 
 use anyhow::{Context, Result};
-use ffrf_codegen::{GenerateOptions, Kernels};
+use ffrf_codegen::GenerateOptions;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Evaluate;
+use crate::generated_kernels::GeneratedKernels;
 use crate::states::{State, Values};
 use crate::{output, states};
 
 /// Runs the command.
 pub fn run(arguments: &Evaluate) -> Result<()> {
     let body = ReducedBody::read(&arguments.model)?;
-    let kernels = Kernels::formulate(&body, &GenerateOptions::default())
+    let kernels = GeneratedKernels::new(&body, &GenerateOptions::default())
         .with_context(|| format!("{}", arguments.model.display()))?;
     let states = states::read(&arguments.states, body.mode_count())?;
     let values: Vec<Values> = states.iter().map(|state| evaluate(&kernels, state)).collect();
@@ -19,7 +20,7 @@ pub fn run(arguments: &Evaluate) -> Result<()> {
     output::write(arguments.output.as_deref(), &text)
 }
 
-fn evaluate(kernels: &Kernels, state: &State) -> Values {
+fn evaluate(kernels: &GeneratedKernels, state: &State) -> Values {
     let State { q, omega, q_dot, force, velocity } = state;
     Values {
         mass_matrix: kernels.mass_matrix(q),

@@ -1,15 +1,16 @@
-//! `ffrf verify`: the kernels against the finite-element model, node by node.
+//! `ffrf verify`: the generated kernels against the finite-element model, node by node.
 //!
 //! Deviations are measured on the scale that the Cauchy-Schwarz inequality gives each block, see
 //! [`ffrf_fe::oracle::Scales`]: a block that vanishes up to round-off (B of free-free modes) then shows that
 //! round-off and not a ratio of two of them.
 
 use anyhow::{Context, Result, bail};
-use ffrf_codegen::{GenerateOptions, Kernels};
+use ffrf_codegen::GenerateOptions;
 use ffrf_fe::oracle::{Elastic, Oracle, OracleState, OracleValues, group_of};
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Verify;
+use crate::generated_kernels::GeneratedKernels;
 use crate::sample_states::{ANGULAR_VELOCITY, DISPLACEMENT, sample_forces, sample_states};
 use crate::{fe_input, modes};
 
@@ -20,7 +21,7 @@ const STIFFNESS_ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Runs the command.
 pub fn run(arguments: &Verify) -> Result<()> {
     let body = ReducedBody::read(&arguments.model)?;
-    let kernels = Kernels::formulate(&body, &GenerateOptions::default())
+    let kernels = GeneratedKernels::new(&body, &GenerateOptions::default())
         .with_context(|| format!("{}", arguments.model.display()))?;
     let model = fe_input::read(&arguments.files)?;
     let solution = modes::solve(&model, &arguments.choice, Some(body.mode_count()))?;
@@ -48,6 +49,7 @@ pub fn run(arguments: &Verify) -> Result<()> {
         arguments.seed,
         oracle.size()
     );
+    println!("kernels: {}", kernels.description());
     table.print(arguments.tolerance);
     if model.stiffness.is_none() {
         println!("the elastic energy and forces were not checked: no stiffness matrix given");
@@ -115,7 +117,7 @@ const GROUPS: [&str; 3] = ["t", "r", "f"];
 fn compare(
     table: &mut Table,
     body: &ReducedBody,
-    kernels: &Kernels,
+    kernels: &GeneratedKernels,
     state: &OracleState,
     values: &OracleValues,
     seed: u64,
@@ -160,7 +162,7 @@ fn compare(
 fn equations(
     table: &mut Table,
     body: &ReducedBody,
-    kernels: &Kernels,
+    kernels: &GeneratedKernels,
     state: &OracleState,
     values: &OracleValues,
     elastic: &Elastic,

@@ -9,7 +9,8 @@ use crate::{CodegenError, GenerateOptions};
 
 /// The kernels of a body as expressions, ready to be evaluated for any state.
 ///
-/// The same expressions as in generated code; results differ from it by rounding only.
+/// The same expressions as in generated code; results differ from it by rounding only. For bodies whose generated
+/// code is loops over lanes, see [`crate::lanes`], these are the expressions that the loops are tested against.
 #[derive(Debug, Clone)]
 pub struct Kernels {
     mode_count: usize,
@@ -45,12 +46,24 @@ impl Kernels {
     /// Errors: [`CodegenError::Model`] for a body of the wrong shape or with too few modes,
     /// [`CodegenError::DependentModes`].
     pub fn formulate(body: &ReducedBody, options: &GenerateOptions) -> Result<Self, CodegenError> {
+        Self::formulate_without(body, options, &[])
+    }
+
+    /// Formulates every kernel of `body` but those `left_out`, whose results are then empty.
+    ///
+    /// Errors: as those of [`Kernels::formulate`].
+    pub fn formulate_without(
+        body: &ReducedBody,
+        options: &GenerateOptions,
+        left_out: &[KernelKind],
+    ) -> Result<Self, CodegenError> {
         let body = crate::prepare(body, options)?;
         let mut graph = Graph::new();
         let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
             .truncated(&mut graph, &options.fidelity);
         let kernels = KernelKind::ALL
             .into_iter()
+            .filter(|kind| !left_out.contains(kind))
             .map(|kind| Kernel::formulate(kind, graph.clone(), &expressions))
             .collect::<Result<_, _>>()?;
         Ok(Self { mode_count: body.mode_count(), kernels })

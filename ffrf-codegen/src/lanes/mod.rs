@@ -15,4 +15,5 @@ pub use choice::tables_of;
 pub use moment_tables::MomentTables;
 pub use table::Table;
 pub use tables::{Diagonal, LaneTables};
-pub(crate) use text::{IN_LANES, functions, trait_method};
+pub use text::IN_LANES;
+pub(crate) use text::{functions, trait_method};

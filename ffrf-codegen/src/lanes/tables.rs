@@ -104,7 +104,7 @@ impl LaneTables {
     }
 
     /// The strategy in words, for the banner.
-    pub(crate) fn description(&self, scalar: ScalarType) -> String {
+    pub fn description(&self, scalar: ScalarType) -> String {
         format!("lanes over modes, {} groups of 4; {}", self.groups, self.moments.description(scalar))
     }
 

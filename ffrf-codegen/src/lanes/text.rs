@@ -11,7 +11,7 @@ use crate::formulate::KernelKind;
 const LARGEST_INLINE: usize = 16;
 
 /// The kernels that loops compute; the others cost no more than M operations per entry and stay statements.
-pub(crate) const IN_LANES: [KernelKind; 6] = [
+pub const IN_LANES: [KernelKind; 6] = [
     KernelKind::MassMatrix,
     KernelKind::QuadraticVelocity,
     KernelKind::ForwardDynamics,

@@ -1,0 +1,180 @@
+//! The loops over lanes of the runtime, run over the tables of a body that was read a moment ago.
+//!
+//! Generated code gives the number of modes to the loops when it is compiled. Here every number of groups of four
+//! modes up to [`LARGEST`] / 4 is compiled in, and the last group is padded with zeros as in the generated tables,
+//! so that the same operations are done on the same numbers.
+
+use ffrf_codegen::lanes::{Diagonal, LaneTables, MomentTables, Table};
+use ffrf_runtime::lanes::{self, FullTable, HalfTable, LaneBody, MomentTable, State};
+
+/// Largest number of modes.
+pub const LARGEST: usize = 64;
+
+/// The kernels that are loops, for any number of modes.
+pub trait LaneKernels {
+    /// Mass matrix. Shape: N x N.
+    fn mass_matrix(&self, q: &[f64]) -> Vec<Vec<f64>>;
+    /// Quadratic velocity vector. Shape: N.
+    fn quadratic_velocity(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64]) -> Vec<f64>;
+    /// Accelerations under `force`, from which the caller has taken what [`LaneTables::internal`] lacks. Shape: N.
+    fn forward_dynamics(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64], force: &[f64]) -> Vec<f64>;
+    /// Kinetic energy. Units: J.
+    fn kinetic_energy(&self, q: &[f64], velocity: [f64; 3], omega: [f64; 3], q_dot: &[f64]) -> f64;
+    /// Angular momentum about the frame origin. Shape: 3. Units: N m s.
+    fn angular_momentum(&self, q: &[f64], velocity: [f64; 3], omega: [f64; 3], q_dot: &[f64]) -> [f64; 3];
+}
+
+/// The loops for these tables, `None` for more than [`LARGEST`] modes.
+pub fn of(tables: &LaneTables) -> Option<Box<dyn LaneKernels>> {
+    // modes, velocities, groups, then pairs and single groups or tiles below the diagonal
+    Some(match (tables.groups, &tables.moments) {
+        (1, MomentTables::Whole { .. } | MomentTables::None) => whole::<4, 10, 1, 0, 1>(tables),
+        (2, MomentTables::Whole { .. } | MomentTables::None) => whole::<8, 14, 2, 1, 0>(tables),
+        (3, MomentTables::Whole { .. } | MomentTables::None) => whole::<12, 18, 3, 1, 1>(tables),
+        (4, MomentTables::Whole { .. } | MomentTables::None) => whole::<16, 22, 4, 2, 0>(tables),
+        (5, MomentTables::Whole { .. } | MomentTables::None) => whole::<20, 26, 5, 2, 1>(tables),
+        (5, _) => half::<20, 26, 5, 80>(tables),
+        (6, _) => half::<24, 30, 6, 120>(tables),
+        (7, _) => half::<28, 34, 7, 168>(tables),
+        (8, _) => half::<32, 38, 8, 224>(tables),
+        (9, _) => half::<36, 42, 9, 288>(tables),
+        (10, _) => half::<40, 46, 10, 360>(tables),
+        (11, _) => half::<44, 50, 11, 440>(tables),
+        (12, _) => half::<48, 54, 12, 528>(tables),
+        (13, _) => half::<52, 58, 13, 624>(tables),
+        (14, _) => half::<56, 62, 14, 728>(tables),
+        (15, _) => half::<60, 66, 15, 840>(tables),
+        (16, _) => half::<64, 70, 16, 960>(tables),
+        _ => return None,
+    })
+}
+
+fn whole<const M: usize, const N: usize, const G: usize, const PAIRS: usize, const SINGLE: usize>(
+    tables: &LaneTables,
+) -> Box<dyn LaneKernels> {
+    let mut moments: FullTable<f64, M, PAIRS, SINGLE> =
+        FullTable { eights: [[[[0.0; 8]; 8]; M]; PAIRS], fours: [[[[0.0; 4]; 8]; M]; SINGLE] };
+    if let MomentTables::Whole { eights, fours } = &tables.moments {
+        // The rows of a group end with the last mode, not with the padding.
+        for (group, numbers) in moments.eights.iter_mut().zip(eights.entries().chunks(64 * tables.modes)) {
+            fill(group.as_flattened_mut().as_flattened_mut(), numbers);
+        }
+        for (group, numbers) in moments.fours.iter_mut().zip(fours.entries().chunks(32 * tables.modes)) {
+            fill(group.as_flattened_mut().as_flattened_mut(), numbers);
+        }
+    }
+    loops::<M, N, G, _>(tables, moments)
+}
+
+fn half<const M: usize, const N: usize, const G: usize, const TILES: usize>(
+    tables: &LaneTables,
+) -> Box<dyn LaneKernels> {
+    let mut moments: HalfTable<f64, 4, G, TILES> =
+        HalfTable { diagonal: [[[[0.0; 4]; 4]; 8]; G], below: [[[0.0; 4]; 4]; TILES] };
+    if let MomentTables::Half { diagonal, below } = &tables.moments {
+        fill(moments.diagonal.as_flattened_mut().as_flattened_mut().as_flattened_mut(), diagonal.entries());
+        fill(moments.below.as_flattened_mut().as_flattened_mut(), below.entries());
+    }
+    loops::<M, N, G, _>(tables, moments)
+}
+
+fn fill(places: &mut [f64], numbers: &[f64]) {
+    for (place, number) in places.iter_mut().zip(numbers) {
+        *place = *number;
+    }
+}
+
+/// A body and its loops.
+struct Loops<const M: usize, const N: usize, const G: usize, P: 'static> {
+    modes: usize,
+    body: LaneBody<f64, M, G, P>,
+}
+
+fn loops<const M: usize, const N: usize, const G: usize, P: MomentTable<f64, M, G> + 'static>(
+    tables: &LaneTables,
+    moments: P,
+) -> Box<dyn LaneKernels> {
+    let none = &Diagonal::Zero;
+    let (stiffness, damping) = tables.internal.as_ref().map_or((none, none), |[k, d]| (k, d));
+    Box::new(Loops::<M, N, G, P> {
+        modes: tables.modes,
+        body: LaneBody {
+            mass: tables.mass,
+            first_moment: tables.first_moment,
+            modal_first_moment: tables.modal_first_moment.as_ref().map(rows),
+            inertia: tables.inertia,
+            translation_compliance: tables.translation_compliance,
+            position_mode_even: tables.position_mode_even.as_ref().map(rows),
+            position_mode_odd: tables.position_mode_odd.as_ref().map(rows),
+            trace: diagonal(&tables.trace),
+            modal_mass: diagonal(&tables.modal_mass),
+            modal_compliance: diagonal(&tables.modal_compliance),
+            stiffness: diagonal(stiffness),
+            damping: diagonal(damping),
+            moments,
+        },
+    })
+}
+
+/// The table as the loops want it: for the rest of the program, as a `static` is. One body is read per run.
+fn rows<const K: usize, const G: usize>(table: &Table) -> &'static [[[f64; 4]; K]; G] {
+    let mut rows = Box::new([[[0.0; 4]; K]; G]);
+    fill(rows.as_flattened_mut().as_flattened_mut(), table.entries());
+    Box::leak(rows)
+}
+
+fn diagonal<const G: usize>(diagonal: &Diagonal) -> lanes::Diagonal<f64, G> {
+    match diagonal {
+        Diagonal::Zero => lanes::Diagonal::Zero,
+        Diagonal::Identity => lanes::Diagonal::Identity,
+        Diagonal::Entries(table) => {
+            let mut entries = Box::new([[0.0; 4]; G]);
+            fill(entries.as_flattened_mut(), table.entries());
+            lanes::Diagonal::Entries(Box::leak(entries))
+        }
+    }
+}
+
+/// The numbers, padded with zero.
+fn padded<const K: usize>(numbers: &[f64]) -> [f64; K] {
+    let mut padded = [0.0; K];
+    fill(&mut padded, numbers);
+    padded
+}
+
+impl<const M: usize, const N: usize, const G: usize, P: MomentTable<f64, M, G>> Loops<M, N, G, P> {
+    #[inline(never)]
+    fn state(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64]) -> State<f64, G> {
+        self.body.state(&padded(q), omega, &padded(q_dot))
+    }
+
+    fn without_padding(&self, numbers: [f64; N]) -> Vec<f64> {
+        numbers.into_iter().take(6 + self.modes).collect()
+    }
+}
+
+impl<const M: usize, const N: usize, const G: usize, P: MomentTable<f64, M, G>> LaneKernels
+    for Loops<M, N, G, P>
+{
+    fn mass_matrix(&self, q: &[f64]) -> Vec<Vec<f64>> {
+        let columns: [[f64; N]; N] = self.body.mass_matrix(&self.state(q, [0.0; 3], &[]));
+        columns.into_iter().take(6 + self.modes).map(|column| self.without_padding(column)).collect()
+    }
+
+    fn quadratic_velocity(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64]) -> Vec<f64> {
+        self.without_padding(self.body.quadratic_velocity(&self.state(q, omega, q_dot)))
+    }
+
+    fn forward_dynamics(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64], force: &[f64]) -> Vec<f64> {
+        let state = self.state(q, omega, q_dot);
+        self.without_padding(self.body.forward_dynamics(&state, &padded(q), &padded(q_dot), &padded(force)))
+    }
+
+    fn kinetic_energy(&self, q: &[f64], velocity: [f64; 3], omega: [f64; 3], q_dot: &[f64]) -> f64 {
+        self.body.kinetic_energy(&self.state(q, omega, q_dot), &velocity, &omega, &padded(q_dot))
+    }
+
+    fn angular_momentum(&self, q: &[f64], velocity: [f64; 3], omega: [f64; 3], q_dot: &[f64]) -> [f64; 3] {
+        self.body.angular_momentum(&self.state(q, omega, q_dot), &velocity, &omega)
+    }
+}
