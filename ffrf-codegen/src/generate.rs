@@ -35,7 +35,7 @@ pub fn generate(body: &ReducedBody, options: &GenerateOptions) -> Result<Generat
     let mut graph = Graph::new();
     let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
         .truncated(&mut graph, &options.fidelity);
-    let lanes = lanes::choose(&graph, &expressions, options)?;
+    let lanes = lanes::choose(&mut graph, &expressions, options)?;
     let looped: &[KernelKind] = if lanes.is_some() { &lanes::IN_LANES } else { &[] };
     let kernels = kernels(&graph, &expressions, options, false, looped)?;
     let layout = found(&body, options.layout_tolerance);

@@ -3,6 +3,7 @@
 use ffrf_model::ReducedBody;
 
 use super::LaneTables;
+use super::compliance::translation_compliance;
 use crate::body::BodyExpressions;
 use crate::expression::Graph;
 use crate::layout::Structure;
@@ -21,7 +22,7 @@ pub fn tables_of(body: &ReducedBody, options: &GenerateOptions) -> Result<Option
     let mut graph = Graph::new();
     let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
         .truncated(&mut graph, &options.fidelity);
-    choose(&graph, &expressions, options)
+    choose(&mut graph, &expressions, options)
 }
 
 /// The tables if the body is to be computed in lanes, `None` for straight-line code.
@@ -29,7 +30,7 @@ pub fn tables_of(body: &ReducedBody, options: &GenerateOptions) -> Result<Option
 /// Lanes need a diagonal Θ_ff, at least one mode, and leave the contraction of products and sums to the target.
 /// Errors: lanes were demanded where they cannot be had, or the modes contain rigid-body motion.
 pub(crate) fn choose(
-    graph: &Graph,
+    graph: &mut Graph,
     body: &BodyExpressions,
     options: &GenerateOptions,
 ) -> Result<Option<LaneTables>, CodegenError> {
@@ -48,6 +49,15 @@ pub(crate) fn choose(
         (Strategy::Lanes, Some(reason)) => Err(CodegenError::NoLanes { reason }),
         (Strategy::Auto, None) if body.mode_count() < LANES_FROM => Ok(None),
         (Strategy::Auto, Some(_)) => Ok(None),
-        (_, None) => LaneTables::new(graph, body, options.scalar).map(Some),
+        (_, None) => tables(graph, body, options).map(Some),
     }
+}
+
+fn tables(
+    graph: &mut Graph,
+    body: &BodyExpressions,
+    options: &GenerateOptions,
+) -> Result<LaneTables, CodegenError> {
+    let compliance = translation_compliance(graph, body)?.map(|entry| graph.constant(entry));
+    Ok(LaneTables::arrange(graph, body, options.scalar, compliance).numbers(graph))
 }

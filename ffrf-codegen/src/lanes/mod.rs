@@ -5,6 +5,7 @@
 //! ```
 
 mod choice;
+mod compliance;
 mod moment_tables;
 mod table;
 mod tables;
@@ -13,7 +14,7 @@ mod text;
 pub(crate) use choice::choose;
 pub use choice::tables_of;
 pub use moment_tables::MomentTables;
-pub use table::Table;
-pub use tables::{Diagonal, LaneTables};
+pub use table::{Diagonal, Table};
+pub use tables::LaneTables;
 pub use text::IN_LANES;
 pub(crate) use text::{functions, trait_method};

@@ -2,6 +2,7 @@
 
 use super::Table;
 use crate::ScalarType;
+use crate::expression::{Expression, Graph};
 
 /// Largest table of all moments, in bytes, that is stored whole: with coordinates and results it stays in a
 /// first-level cache of 32 KB. Larger ones are stored by half.
@@ -9,32 +10,32 @@ const LARGEST_WHOLE_TABLE: usize = 24 * 1024;
 
 /// The moments T_νμ in eight components: yy, zz, xy + yx, xz + zx, yz + zy, then ϑ_νμ (3).
 #[derive(Debug, Clone, PartialEq)]
-pub enum MomentTables {
+pub enum MomentTables<V = f64> {
     /// No moment is left.
     None,
     /// All of them.
     Whole {
         /// Pairs of groups. Shape: pairs, modes ν, components, lanes μ (8).
-        eights: Table,
+        eights: Table<V>,
         /// The last group, if their number is odd. Shape: 0 or 1, modes ν, components, lanes μ (4).
-        fours: Table,
+        fours: Table<V>,
     },
     /// Half of them, in blocks; diagonal k of a block holds row r and column (r + k) mod width.
     Half {
         /// Blocks on the diagonal. Shape: rows of blocks, components, width, width.
-        diagonal: Table,
+        diagonal: Table<V>,
         /// Components of the blocks below it, in the order of use. Shape: tiles, width, width.
-        below: Table,
+        below: Table<V>,
     },
 }
 
-impl MomentTables {
+impl<V> MomentTables<V> {
     /// The tables of `at(component, mu, nu)`, which is zero outside the modes.
     pub(super) fn new(
         modes: usize,
         scalar: ScalarType,
         is_empty: bool,
-        at: impl Fn(usize, usize, usize) -> f64,
+        at: impl Fn(usize, usize, usize) -> V,
     ) -> Self {
         let groups = modes.div_ceil(4);
         if is_empty {
@@ -51,7 +52,7 @@ impl MomentTables {
         }
     }
 
-    fn by_half(modes: usize, width: usize, at: impl Fn(usize, usize, usize) -> f64) -> Self {
+    fn by_half(modes: usize, width: usize, at: impl Fn(usize, usize, usize) -> V) -> Self {
         let rows = modes.div_ceil(width);
         let entry = |component, block_row: usize, block_column: usize, diagonal: usize, row: usize| {
             at(component, width * block_row + row, width * block_column + (row + diagonal) % width)
@@ -106,6 +107,20 @@ impl MomentTables {
             Self::Half { below, .. } => {
                 let width = below.shape().last().copied().unwrap_or(0);
                 format!("table of moments by half in blocks of {width} x {width}, {bytes} bytes")
+            }
+        }
+    }
+}
+
+impl MomentTables<Expression> {
+    pub(super) fn numbers(&self, graph: &Graph) -> MomentTables {
+        match self {
+            Self::None => MomentTables::None,
+            Self::Whole { eights, fours } => {
+                MomentTables::Whole { eights: eights.numbers(graph), fours: fours.numbers(graph) }
+            }
+            Self::Half { diagonal, below } => {
+                MomentTables::Half { diagonal: diagonal.numbers(graph), below: below.numbers(graph) }
             }
         }
     }

@@ -1,15 +1,17 @@
-//! Numbers in nested arrays.
+//! Entries in nested arrays.
 
-/// Numbers in nested arrays of a fixed shape, the last index fastest: what a `static` of the generated code holds.
+use crate::expression::{Expression, Graph};
+
+/// Entries in nested arrays of a fixed shape, the last index fastest: what a `static` of the generated code holds.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Table {
+pub struct Table<V = f64> {
     shape: Vec<usize>,
-    entries: Vec<f64>,
+    entries: Vec<V>,
 }
 
-impl Table {
+impl<V> Table<V> {
     /// The table with the entry `at(index)` for every index within `shape`.
-    pub(crate) fn new<const D: usize>(shape: [usize; D], at: impl Fn([usize; D]) -> f64) -> Self {
+    pub(crate) fn new<const D: usize>(shape: [usize; D], at: impl Fn([usize; D]) -> V) -> Self {
         let count = shape.iter().product();
         let mut entries = Vec::with_capacity(count);
         let mut index = [0; D];
@@ -31,10 +33,43 @@ impl Table {
         &self.shape
     }
 
-    /// All numbers, those of an innermost array side by side.
-    pub fn entries(&self) -> &[f64] {
+    /// All entries, those of an innermost array side by side.
+    pub fn entries(&self) -> &[V] {
         &self.entries
     }
+}
+
+impl Table<Expression> {
+    pub(super) fn numbers(&self, graph: &Graph) -> Table {
+        let entries = self.entries.iter().map(|entry| number(graph, *entry)).collect();
+        Table { shape: self.shape.clone(), entries }
+    }
+}
+
+/// A diagonal matrix over the modes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Diagonal<V = f64> {
+    /// Nothing.
+    Zero,
+    /// Ones.
+    Identity,
+    /// These entries. Shape: groups, lanes (4).
+    Entries(Table<V>),
+}
+
+impl Diagonal<Expression> {
+    pub(super) fn numbers(&self, graph: &Graph) -> Diagonal {
+        match self {
+            Self::Zero => Diagonal::Zero,
+            Self::Identity => Diagonal::Identity,
+            Self::Entries(entries) => Diagonal::Entries(entries.numbers(graph)),
+        }
+    }
+}
+
+/// The value of a constant; of anything else, which generated tables do not hold, not a number.
+pub(super) fn number(graph: &Graph, expression: Expression) -> f64 {
+    graph.constant_value(expression).unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]
