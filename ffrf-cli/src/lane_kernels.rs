@@ -4,8 +4,10 @@
 //! modes up to [`LARGEST`] / 4 is compiled in, and the last group is padded with zeros as in the generated tables,
 //! so that the same operations are done on the same numbers.
 
-use ffrf_codegen::lanes::{Diagonal, LaneTables, MomentTables, Table};
-use ffrf_runtime::lanes::{self, FullTable, HalfTable, LaneBody, MomentTable, State};
+use ffrf_codegen::lanes::{LaneTables, MomentTables};
+use ffrf_runtime::lanes::{LaneBody, MomentTable, State};
+
+use crate::lane_body::Bodies;
 
 /// Largest number of modes.
 pub const LARGEST: usize = 64;
@@ -52,36 +54,17 @@ pub fn of(tables: &LaneTables) -> Option<Box<dyn LaneKernels>> {
 fn whole<const M: usize, const N: usize, const G: usize, const PAIRS: usize, const SINGLE: usize>(
     tables: &LaneTables,
 ) -> Box<dyn LaneKernels> {
-    let mut moments: FullTable<f64, M, PAIRS, SINGLE> =
-        FullTable { eights: [[[[0.0; 8]; 8]; M]; PAIRS], fours: [[[[0.0; 4]; 8]; M]; SINGLE] };
-    if let MomentTables::Whole { eights, fours } = &tables.moments {
-        // The rows of a group end with the last mode, not with the padding.
-        for (group, numbers) in moments.eights.iter_mut().zip(eights.entries().chunks(64 * tables.modes)) {
-            fill(group.as_flattened_mut().as_flattened_mut(), numbers);
-        }
-        for (group, numbers) in moments.fours.iter_mut().zip(fours.entries().chunks(32 * tables.modes)) {
-            fill(group.as_flattened_mut().as_flattened_mut(), numbers);
-        }
-    }
-    loops::<M, N, G, _>(tables, moments)
+    let bodies = Bodies { zero: 0.0, constant: |number: f64| number };
+    let moments = bodies.whole::<f64, M, PAIRS, SINGLE>(tables);
+    Box::new(Loops::<M, N, G, _> { modes: tables.modes, body: bodies.body(tables, moments) })
 }
 
 fn half<const M: usize, const N: usize, const G: usize, const TILES: usize>(
     tables: &LaneTables,
 ) -> Box<dyn LaneKernels> {
-    let mut moments: HalfTable<f64, 4, G, TILES> =
-        HalfTable { diagonal: [[[[0.0; 4]; 4]; 8]; G], below: [[[0.0; 4]; 4]; TILES] };
-    if let MomentTables::Half { diagonal, below } = &tables.moments {
-        fill(moments.diagonal.as_flattened_mut().as_flattened_mut().as_flattened_mut(), diagonal.entries());
-        fill(moments.below.as_flattened_mut().as_flattened_mut(), below.entries());
-    }
-    loops::<M, N, G, _>(tables, moments)
-}
-
-fn fill(places: &mut [f64], numbers: &[f64]) {
-    for (place, number) in places.iter_mut().zip(numbers) {
-        *place = *number;
-    }
+    let bodies = Bodies { zero: 0.0, constant: |number: f64| number };
+    let moments = bodies.half::<f64, 4, G, TILES>(tables);
+    Box::new(Loops::<M, N, G, _> { modes: tables.modes, body: bodies.body(tables, moments) })
 }
 
 /// A body and its loops.
@@ -90,55 +73,12 @@ struct Loops<const M: usize, const N: usize, const G: usize, P: 'static> {
     body: LaneBody<f64, M, G, P>,
 }
 
-fn loops<const M: usize, const N: usize, const G: usize, P: MomentTable<f64, M, G> + 'static>(
-    tables: &LaneTables,
-    moments: P,
-) -> Box<dyn LaneKernels> {
-    let none = &Diagonal::Zero;
-    let (stiffness, damping) = tables.internal.as_ref().map_or((none, none), |[k, d]| (k, d));
-    Box::new(Loops::<M, N, G, P> {
-        modes: tables.modes,
-        body: LaneBody {
-            mass: tables.mass,
-            first_moment: tables.first_moment,
-            modal_first_moment: tables.modal_first_moment.as_ref().map(rows),
-            inertia: tables.inertia,
-            translation_compliance: tables.translation_compliance,
-            position_mode_even: tables.position_mode_even.as_ref().map(rows),
-            position_mode_odd: tables.position_mode_odd.as_ref().map(rows),
-            trace: diagonal(&tables.trace),
-            modal_mass: diagonal(&tables.modal_mass),
-            modal_compliance: diagonal(&tables.modal_compliance),
-            stiffness: diagonal(stiffness),
-            damping: diagonal(damping),
-            moments,
-        },
-    })
-}
-
-/// The table as the loops want it: for the rest of the program, as a `static` is. One body is read per run.
-fn rows<const K: usize, const G: usize>(table: &Table) -> &'static [[[f64; 4]; K]; G] {
-    let mut rows = Box::new([[[0.0; 4]; K]; G]);
-    fill(rows.as_flattened_mut().as_flattened_mut(), table.entries());
-    Box::leak(rows)
-}
-
-fn diagonal<const G: usize>(diagonal: &Diagonal) -> lanes::Diagonal<f64, G> {
-    match diagonal {
-        Diagonal::Zero => lanes::Diagonal::Zero,
-        Diagonal::Identity => lanes::Diagonal::Identity,
-        Diagonal::Entries(table) => {
-            let mut entries = Box::new([[0.0; 4]; G]);
-            fill(entries.as_flattened_mut(), table.entries());
-            lanes::Diagonal::Entries(Box::leak(entries))
-        }
-    }
-}
-
 /// The numbers, padded with zero.
 fn padded<const K: usize>(numbers: &[f64]) -> [f64; K] {
     let mut padded = [0.0; K];
-    fill(&mut padded, numbers);
+    for (place, number) in padded.iter_mut().zip(numbers) {
+        *place = *number;
+    }
     padded
 }
 

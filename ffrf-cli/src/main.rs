@@ -11,6 +11,7 @@ mod fe_input;
 mod generate;
 mod generated_kernels;
 mod inspect;
+mod lane_body;
 mod lane_kernels;
 mod modes;
 mod output;

@@ -1,0 +1,123 @@
+//! Tables as the loops of the runtime want them.
+
+use ffrf_codegen::lanes::{Diagonal, LaneTables, MomentTables, Table};
+use ffrf_runtime::lanes::{self, FullTable, HalfTable, LaneBody};
+
+/// From entries `V` of tables to constants `C` of the loops.
+///
+/// The loops hold their tables for the rest of the program, as generated code does in its `static`s: one body is
+/// read per run, and its memory is never given back.
+pub struct Bodies<C, F> {
+    /// What padding holds.
+    pub zero: C,
+    /// The constant of an entry.
+    pub constant: F,
+}
+
+impl<C: Copy + 'static, F> Bodies<C, F> {
+    fn fill<V: Copy>(&self, places: &mut [C], entries: &[V])
+    where
+        F: Fn(V) -> C,
+    {
+        for (place, entry) in places.iter_mut().zip(entries) {
+            *place = (self.constant)(*entry);
+        }
+    }
+
+    /// All moments, for tables of up to `M` modes; zero for other kinds of tables.
+    pub fn whole<V: Copy, const M: usize, const PAIRS: usize, const SINGLE: usize>(
+        &self,
+        tables: &LaneTables<V>,
+    ) -> FullTable<C, M, PAIRS, SINGLE>
+    where
+        F: Fn(V) -> C,
+    {
+        let mut moments = FullTable {
+            eights: [[[[self.zero; 8]; 8]; M]; PAIRS],
+            fours: [[[[self.zero; 4]; 8]; M]; SINGLE],
+        };
+        if let MomentTables::Whole { eights, fours } = &tables.moments {
+            // The rows of a group end with the last mode, not with the padding.
+            for (group, entries) in moments.eights.iter_mut().zip(eights.entries().chunks(64 * tables.modes))
+            {
+                self.fill(group.as_flattened_mut().as_flattened_mut(), entries);
+            }
+            for (group, entries) in moments.fours.iter_mut().zip(fours.entries().chunks(32 * tables.modes)) {
+                self.fill(group.as_flattened_mut().as_flattened_mut(), entries);
+            }
+        }
+        moments
+    }
+
+    /// Half of the moments, in blocks of `W` x `W`; zero for other kinds of tables.
+    pub fn half<V: Copy, const W: usize, const H: usize, const TILES: usize>(
+        &self,
+        tables: &LaneTables<V>,
+    ) -> HalfTable<C, W, H, TILES>
+    where
+        F: Fn(V) -> C,
+    {
+        let mut moments =
+            HalfTable { diagonal: [[[[self.zero; W]; W]; 8]; H], below: [[[self.zero; W]; W]; TILES] };
+        if let MomentTables::Half { diagonal, below } = &tables.moments {
+            self.fill(
+                moments.diagonal.as_flattened_mut().as_flattened_mut().as_flattened_mut(),
+                diagonal.entries(),
+            );
+            self.fill(moments.below.as_flattened_mut().as_flattened_mut(), below.entries());
+        }
+        moments
+    }
+
+    /// The body in lanes, with its moments in the form `P`.
+    pub fn body<V: Copy, const M: usize, const G: usize, P: 'static>(
+        &self,
+        tables: &LaneTables<V>,
+        moments: P,
+    ) -> LaneBody<C, M, G, P>
+    where
+        F: Fn(V) -> C,
+    {
+        let none = &Diagonal::Zero;
+        let (stiffness, damping) = tables.internal.as_ref().map_or((none, none), |[k, d]| (k, d));
+        LaneBody {
+            mass: (self.constant)(tables.mass),
+            first_moment: tables.first_moment.map(|moment| moment.map(&self.constant)),
+            modal_first_moment: tables.modal_first_moment.as_ref().map(|table| self.rows(table)),
+            inertia: tables.inertia.map(&self.constant),
+            translation_compliance: tables.translation_compliance.map(&self.constant),
+            position_mode_even: tables.position_mode_even.as_ref().map(|table| self.rows(table)),
+            position_mode_odd: tables.position_mode_odd.as_ref().map(|table| self.rows(table)),
+            trace: self.diagonal(&tables.trace),
+            modal_mass: self.diagonal(&tables.modal_mass),
+            modal_compliance: self.diagonal(&tables.modal_compliance),
+            stiffness: self.diagonal(stiffness),
+            damping: self.diagonal(damping),
+            moments,
+        }
+    }
+
+    fn rows<V: Copy, const K: usize, const G: usize>(&self, table: &Table<V>) -> &'static [[[C; 4]; K]; G]
+    where
+        F: Fn(V) -> C,
+    {
+        let mut rows = Box::new([[[self.zero; 4]; K]; G]);
+        self.fill(rows.as_flattened_mut().as_flattened_mut(), table.entries());
+        Box::leak(rows)
+    }
+
+    fn diagonal<V: Copy, const G: usize>(&self, diagonal: &Diagonal<V>) -> lanes::Diagonal<C, G>
+    where
+        F: Fn(V) -> C,
+    {
+        match diagonal {
+            Diagonal::Zero => lanes::Diagonal::Zero,
+            Diagonal::Identity => lanes::Diagonal::Identity,
+            Diagonal::Entries(table) => {
+                let mut entries = Box::new([[self.zero; 4]; G]);
+                self.fill(entries.as_flattened_mut(), table.entries());
+                lanes::Diagonal::Entries(Box::leak(entries))
+            }
+        }
+    }
+}
