@@ -1,8 +1,12 @@
 //! The command line.
 
+mod code;
+
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand};
+
+pub use code::{Generate, Inspect};
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify.
 #[derive(Debug, Parser)]
@@ -42,11 +46,16 @@ Examples:
 
 const INSPECT_EXAMPLE: &str = "\
 Example:
-  ffrf inspect rod.ffrf.json";
+  ffrf inspect rod.ffrf.json
+  ffrf inspect rod.ffrf.json --modes 4 --fidelity linear";
 
 const GENERATE_EXAMPLE: &str = "\
-Example:
-  ffrf generate rod.ffrf.json --name Rod --modes 4 -o rod.rs";
+Examples:
+  ffrf generate rod.ffrf.json --name Rod --modes 4 -o rod.rs
+  ffrf generate rod.ffrf.json --scalar f32 --fidelity first_moment,modal_momentum,modal_rotation
+  ffrf generate --layout first_moment=zero,modal_mass=identity --modes 3 --name Arm -o arm.rs
+
+The flags are the keys of the macro, and give the same code.";
 
 const EVALUATE_EXAMPLE: &str = "\
 Example:
@@ -141,34 +150,6 @@ pub struct Reduce {
     /// Where to write the reduced body.
     #[arg(short, long, value_name = "BODY.ffrf.json")]
     pub output: PathBuf,
-}
-
-/// `ffrf inspect`
-#[derive(Debug, Args)]
-pub struct Inspect {
-    /// The reduced body.
-    #[arg(value_name = "MODEL")]
-    pub model: PathBuf,
-    /// Use the first N modes only.
-    #[arg(long, value_name = "N")]
-    pub modes: Option<usize>,
-}
-
-/// `ffrf generate`
-#[derive(Debug, Args)]
-pub struct Generate {
-    /// The reduced body.
-    #[arg(value_name = "MODEL")]
-    pub model: PathBuf,
-    /// Name of the generated type.
-    #[arg(long, default_value = "Body")]
-    pub name: String,
-    /// Use the first N modes only.
-    #[arg(long, value_name = "N")]
-    pub modes: Option<usize>,
-    /// Where to write the code (default: standard output).
-    #[arg(short, long, value_name = "OUT.rs")]
-    pub output: Option<PathBuf>,
 }
 
 /// `ffrf evaluate`

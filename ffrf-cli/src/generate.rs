@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use ffrf_codegen::{GenerateOptions, Strategy};
 use ffrf_model::ReducedBody;
 
@@ -11,22 +11,35 @@ use crate::output;
 
 /// Runs the command.
 pub fn run(arguments: &Generate) -> Result<()> {
-    let body = ReducedBody::read(&arguments.model)?;
-    let source_name = arguments.model.file_name().map(|name| name.to_string_lossy().into_owned());
-    let options = GenerateOptions {
+    let mut options = GenerateOptions {
         name: arguments.name.clone(),
-        source_name: source_name.unwrap_or_default(),
-        modes: arguments.modes,
+        scalar: arguments.scalar,
+        fidelity: arguments.fidelity.clone(),
+        jacobians: arguments.jacobians,
+        fused_multiply_add: arguments.fma,
+        strategy: arguments.strategy,
+        layout_tolerance: arguments.layout_tolerance,
         ..GenerateOptions::default()
     };
-    let code =
-        ffrf_codegen::generate(&body, &options).with_context(|| format!("{}", arguments.model.display()))?;
+    let code = match (&arguments.model, &arguments.layout, arguments.modes) {
+        (Some(model), _, modes) => {
+            let body = ReducedBody::read(model)?;
+            let source_name = model.file_name().map(|name| name.to_string_lossy().into_owned());
+            options.source_name = source_name.unwrap_or_default();
+            options.modes = modes;
+            ffrf_codegen::generate(&body, &options).with_context(|| format!("{}", model.display()))?
+        }
+        (None, Some(layout), Some(modes)) => {
+            ffrf_codegen::generate_with_layout(modes, layout, &options).context("--layout")?
+        }
+        (None, ..) => bail!("no invariants: give a model, or --layout and --modes"),
+    };
     output::write(arguments.output.as_deref(), &code.text)
 }
 
 /// The layout found in a body and the operations of each kernel.
-pub fn account(body: &ReducedBody) -> Result<String> {
-    let report = ffrf_codegen::generate(body, &GenerateOptions::default())?.report;
+pub fn account(body: &ReducedBody, options: &GenerateOptions) -> Result<String> {
+    let report = ffrf_codegen::generate(body, options)?.report;
     let mut text = String::from("layout found\n");
     for (invariant, structure, _) in report.layout.entries() {
         let _ = writeln!(text, "  {invariant:<28}{structure}");
@@ -38,7 +51,7 @@ pub fn account(body: &ReducedBody) -> Result<String> {
     if let Some(lanes) = &report.lanes {
         let _ =
             writeln!(text, "\noperations per call of the kernels in loops ({lanes}), counted as statements");
-        let statements = GenerateOptions { strategy: Strategy::StraightLine, ..GenerateOptions::default() };
+        let statements = GenerateOptions { strategy: Strategy::StraightLine, ..options.clone() };
         let all = ffrf_codegen::generate(body, &statements)?.report.kernels;
         let printed = |name: &str| report.kernels.iter().any(|kernel| kernel.name == name);
         for kernel in all.iter().filter(|kernel| !printed(kernel.name)) {

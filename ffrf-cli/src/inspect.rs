@@ -1,6 +1,7 @@
 //! `ffrf inspect`: what a reduced body holds, and what its kernels cost.
 
 use anyhow::{Context, Result};
+use ffrf_codegen::GenerateOptions;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Inspect;
@@ -16,6 +17,14 @@ pub fn run(arguments: &Inspect) -> Result<()> {
     println!("{}", describe::body(&body));
     println!("{}", describe::mode_table(&body));
     println!("{}", describe::checks(&checks));
-    print!("{}", generate::account(&body).with_context(|| format!("{}", arguments.model.display()))?);
+    let options = GenerateOptions {
+        fidelity: arguments.fidelity.clone(),
+        layout_tolerance: arguments.layout_tolerance,
+        ..GenerateOptions::default()
+    };
+    print!(
+        "{}",
+        generate::account(&body, &options).with_context(|| format!("{}", arguments.model.display()))?
+    );
     checks.verdict().with_context(|| format!("{}", arguments.model.display()))
 }

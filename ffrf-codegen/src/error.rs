@@ -25,6 +25,32 @@ pub enum CodegenError {
         /// The structures that make sense.
         expected: String,
     },
+    /// Two declarations of a layout cannot both be true of a body.
+    #[error("{invariant} cannot be {found} here: {reason}")]
+    Contradiction {
+        /// Name of the invariant.
+        invariant: &'static str,
+        /// The structure declared.
+        found: &'static str,
+        /// What it contradicts, and what to do.
+        reason: &'static str,
+    },
+    /// A layout names an invariant that there is not.
+    #[error("unknown invariant `{found}`, expected one of: {expected}")]
+    UnknownInvariant {
+        /// The name given.
+        found: String,
+        /// The known names.
+        expected: String,
+    },
+    /// The text of a layout cannot be read.
+    #[error("`{found}`: {reason}")]
+    LayoutText {
+        /// The part that cannot be read.
+        found: String,
+        /// What is expected there.
+        reason: String,
+    },
     /// The name does not stand for a type.
     #[error("`{found}` is not a name for a type")]
     Name {

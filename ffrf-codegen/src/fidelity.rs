@@ -173,12 +173,32 @@ impl std::fmt::Display for Fidelity {
     }
 }
 
+impl std::str::FromStr for Fidelity {
+    type Err = FidelityError;
+
+    /// The inverse of [`Display`](std::fmt::Display): a level, or terms separated by commas, with or without brackets.
+    ///
+    /// Errors: a name is unknown; the error lists the known ones.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let text = text.trim();
+        let bracketed = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+        let list = bracketed.unwrap_or(text);
+        if bracketed.is_none() && !list.contains(',') && EnergyTerm::from_name(list).is_err() {
+            return Self::from_name(list);
+        }
+        Self::from_term_names(list.split(',').map(str::trim).filter(|name| !name.is_empty()))
+    }
+}
+
 /// A fidelity that does not exist.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FidelityError {
     /// Neither a level nor a list.
-    #[error("unknown fidelity `{found}`: expected rigid, constant, linear, full, or a list of terms")]
+    #[error(
+        "unknown fidelity `{found}`: expected rigid, constant, linear, full, or a list of terms ({})",
+        EnergyTerm::ALL.map(EnergyTerm::name).join(", ")
+    )]
     UnknownLevel {
         /// What was written.
         found: String,
@@ -224,6 +244,22 @@ mod tests {
         assert_eq!(kept, ["translation", "rotation", "modal_rotation", "modal"]);
         assert_eq!(list.to_string(), "[modal_rotation]");
         assert_eq!(Fidelity::Full.to_string(), "full");
+    }
+
+    #[test]
+    fn what_is_printed_is_read_back() {
+        let lists = [vec![], vec!["modal_rotation"], vec!["first_moment", "modal_rotation"]];
+        let lists = lists.into_iter().map(|list| Fidelity::from_term_names(list).unwrap());
+        for fidelity in Fidelity::LEVELS.into_iter().chain(lists) {
+            assert_eq!(fidelity.to_string().parse(), Ok(fidelity));
+        }
+        assert_eq!(
+            "modal_rotation,first_moment".parse(),
+            Fidelity::from_term_names(["first_moment", "modal_rotation"])
+        );
+        assert_eq!("modal_rotation".parse(), Fidelity::from_term_names(["modal_rotation"]));
+        assert!(matches!("quadratic".parse::<Fidelity>(), Err(FidelityError::UnknownLevel { .. })));
+        assert!(matches!("full,modal".parse::<Fidelity>(), Err(FidelityError::UnknownTerm { .. })));
     }
 
     #[test]

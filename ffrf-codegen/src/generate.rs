@@ -13,7 +13,7 @@ use crate::layout::{Layout, found};
 use crate::passes;
 use crate::report::{KernelReport, Report, Source};
 use crate::validate::ValidKernel;
-use crate::{CodegenError, GenerateOptions};
+use crate::{CodegenError, GenerateOptions, Strategy};
 
 /// A generated body.
 #[derive(Debug, Clone)]
@@ -47,14 +47,20 @@ pub fn generate(body: &ReducedBody, options: &GenerateOptions) -> Result<Generat
 
 /// Generates the code of a body whose invariants are supplied at run time, as far as `layout` leaves them open.
 ///
-/// Errors: [`CodegenError::Structure`], [`CodegenError::Name`]. Panics: never.
+/// Errors: [`CodegenError::Structure`], [`CodegenError::Contradiction`], [`CodegenError::Name`],
+/// [`CodegenError::NoLanes`]. Panics: never.
 pub fn generate_with_layout(
     mode_count: usize,
     layout: &Layout,
     options: &GenerateOptions,
 ) -> Result<GeneratedCode, CodegenError> {
-    layout.check()?;
+    layout.check_body(mode_count, &options.fidelity)?;
     check_name(&options.name)?;
+    if options.strategy == Strategy::Lanes {
+        return Err(CodegenError::NoLanes {
+            reason: "they need constant tables, here the invariants come at run time",
+        });
+    }
     let mut graph = Graph::new();
     let expressions =
         BodyExpressions::symbolic(&mut graph, mode_count, layout).truncated(&mut graph, &options.fidelity);

@@ -95,6 +95,11 @@ fn with_users_name(tokens: TokenStream, name: &Ident) -> TokenStream {
 }
 
 #[cfg(test)]
+#[allow(dead_code)] // the flags are the command line's
+#[path = "../../tests/support/doors.rs"]
+mod doors;
+
+#[cfg(test)]
 mod tests {
     use ffrf_codegen::GenerateOptions;
 
@@ -120,6 +125,26 @@ mod tests {
         let printed: TokenStream = generate(&model, &options).unwrap().text.parse().unwrap();
         let watch = rebuild_on_change(&LitStr::new(MODEL, Span::call_site()));
         assert_eq!(tokens.to_string(), quote! { #printed #watch }.to_string());
+    }
+
+    /// The same table is held against the command line in `ffrf-cli/tests/doors.rs`.
+    #[test]
+    fn every_option_means_the_same_at_every_door() {
+        let path = format!("../models/{}", doors::MODEL);
+        let model = ReducedBody::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(&path)).unwrap();
+        let watch = rebuild_on_change(&LitStr::new(&path, Span::call_site()));
+        for door in doors::with_model() {
+            let fields: TokenStream = door.fields.parse().unwrap();
+            let expanded = flexible_body(quote! { pub struct Part { model: #path, #fields } });
+            let tokens = generate(&model, &door.options).unwrap().tokens;
+            assert_eq!(expanded.to_string(), quote! { #tokens #watch }.to_string(), "{}", door.fields);
+        }
+        for (modes, layout, door) in doors::with_layout() {
+            let fields: TokenStream = door.fields.parse().unwrap();
+            let expanded = flexible_body(quote! { pub struct Part { #fields } });
+            let tokens = generate_with_layout(modes, &layout, &door.options).unwrap().tokens;
+            assert_eq!(expanded.to_string(), tokens.to_string(), "{}", door.fields);
+        }
     }
 
     #[test]

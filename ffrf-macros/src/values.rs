@@ -1,7 +1,7 @@
 //! The values of single fields: what each may be, and what is said if it is something else.
 
 use ffrf_codegen::layout::{Layout, Structure};
-use ffrf_codegen::{Fidelity, FusedMultiplyAdd, ScalarType, Strategy};
+use ffrf_codegen::{CodegenError, Fidelity, FusedMultiplyAdd, ScalarType, Strategy};
 use proc_macro2::Span;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token};
@@ -60,17 +60,15 @@ pub(crate) fn model(field: &Field) -> syn::Result<LitStr> {
 }
 
 pub(crate) fn scalar(field: &Field) -> syn::Result<ScalarType> {
-    word(field, "f64 or f32", &[("f64", ScalarType::F64), ("f32", ScalarType::F32)])
+    word(field, "f64 or f32", &ScalarType::ALL.map(|scalar| (scalar.name(), scalar)))
 }
 
 pub(crate) fn fused_multiply_add(field: &Field) -> syn::Result<FusedMultiplyAdd> {
-    use FusedMultiplyAdd::{Auto, Off, On};
-    word(field, "auto, on or off", &[("auto", Auto), ("on", On), ("off", Off)])
+    word(field, "auto, on or off", &FusedMultiplyAdd::ALL.map(|choice| (choice.name(), choice)))
 }
 
 pub(crate) fn strategy(field: &Field) -> syn::Result<Strategy> {
-    use Strategy::{Auto, Lanes, StraightLine};
-    let words = [Auto, StraightLine, Lanes].map(|strategy| (strategy.name(), strategy));
+    let words = Strategy::ALL.map(|strategy| (strategy.name(), strategy));
     word(field, "auto, straight_line or lanes", &words)
 }
 
@@ -158,19 +156,9 @@ pub(crate) fn layout(field: &Field) -> syn::Result<Layout> {
         let Some(structure) = mistakes.keep(word(entry, &format!("one of: {names}"), &words)) else {
             continue;
         };
-        let mut changed = layout;
-        if key == "mass" {
-            if structure != Structure::Dense {
-                mistakes.add(entry.span, format!("mass cannot be {structure}, expected one of: dense"));
-            }
-        } else if !changed.set(&key, structure) {
-            let known: Vec<_> = layout.entries().into_iter().map(|(name, ..)| name).collect();
-            let message = format!("unknown invariant `{key}`, expected one of: mass, {}", known.join(", "));
-            mistakes.add(entry.key.span(), message);
-        } else if let Err(error) = changed.check() {
-            mistakes.add(entry.span, error.to_string());
-        } else {
-            layout = changed;
+        if let Err(error) = layout.declare(&key, structure) {
+            let unknown = matches!(error, CodegenError::UnknownInvariant { .. });
+            mistakes.add(if unknown { entry.key.span() } else { entry.span }, error.to_string());
         }
     }
     mistakes.verdict(layout)

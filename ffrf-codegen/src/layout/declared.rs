@@ -2,6 +2,7 @@
 
 use super::Structure;
 use crate::CodegenError;
+use crate::fidelity::{EnergyTerm, Fidelity};
 
 /// The structure of each invariant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,6 +91,9 @@ impl Layout {
     }
 
     /// Whether Θ_ff is data of its own: T_μν is declared so that its trace cannot supply it.
+    ///
+    /// Such layouts are for fidelities that take nothing else from the even part of T_μν, see
+    /// [`check_body`](Self::check_body).
     pub fn has_own_modal_mass(&self) -> bool {
         self.modal_mass != Identity && matches!(self.mode_mode_moment, Zero | Antisymmetric)
     }
@@ -107,6 +111,28 @@ impl Layout {
                     expected: expected.join(", "),
                 });
             }
+        }
+        Ok(())
+    }
+
+    /// Checks each structure, and that the layout does not contradict itself in a body of `mode_count` modes.
+    ///
+    /// Θ_ff = [tr T_μν] is positive definite, so T_μν is neither zero nor antisymmetric where there are modes: the
+    /// kernels would complete its trace by an arbitrary entry. It may be declared so where the fidelity drops
+    /// `rotation_quadratic`, the one term that takes more from the even part of T_μν than the trace: zero then says
+    /// that no T_μν is supplied, antisymmetric that its odd part is, and Θ_ff is data of its own.
+    ///
+    /// Errors: [`CodegenError::Structure`], [`CodegenError::Contradiction`].
+    pub fn check_body(&self, mode_count: usize, fidelity: &Fidelity) -> Result<(), CodegenError> {
+        self.check()?;
+        let without_trace = matches!(self.mode_mode_moment, Zero | Antisymmetric);
+        if mode_count > 0 && without_trace && fidelity.keeps(EnergyTerm::RotationQuadratic) {
+            return Err(CodegenError::Contradiction {
+                invariant: "mode_mode_moment",
+                found: self.mode_mode_moment.name(),
+                reason: "its trace is the modal mass Θ_ff = [tr T_μν], which is positive; declare it diagonal, \
+                         symmetric or dense, or choose a fidelity without `rotation_quadratic` (linear, constant, rigid)",
+            });
         }
         Ok(())
     }
@@ -146,5 +172,29 @@ mod tests {
         let error = layout.check().unwrap_err().to_string();
         assert_eq!(error, "modal_mass cannot be zero, expected one of: identity, diagonal, symmetric");
         assert!(Layout::GENERAL.check().is_ok() && Layout::FREE_FREE.check().is_ok());
+    }
+
+    #[test]
+    fn a_tensor_without_trace_contradicts_a_positive_modal_mass() {
+        for mode_mode_moment in [Zero, Antisymmetric] {
+            for modal_mass in [Identity, Diagonal, Symmetric] {
+                let layout = Layout { mode_mode_moment, modal_mass, ..Layout::GENERAL };
+                let error = layout.check_body(2, &Fidelity::Full).unwrap_err().to_string();
+                let named = format!(
+                    "mode_mode_moment cannot be {mode_mode_moment} here: its trace is the modal mass"
+                );
+                assert!(error.starts_with(&named), "{error}");
+                // No mode, no trace; and a fidelity that takes only the trace and the odd part has them both.
+                assert!(layout.check_body(0, &Fidelity::Full).is_ok());
+                assert!(layout.check_body(2, &Fidelity::Linear).is_ok());
+                let whirl = Fidelity::from_term_names(["modal_rotation_deformed"]).unwrap();
+                assert!(layout.check_body(2, &whirl).is_ok());
+                let stretch = Fidelity::from_term_names(["rotation_quadratic"]).unwrap();
+                assert!(layout.check_body(2, &stretch).is_err());
+            }
+        }
+        for layout in [Layout::GENERAL, Layout::FREE_FREE] {
+            assert!(layout.check_body(3, &Fidelity::Full).is_ok());
+        }
     }
 }

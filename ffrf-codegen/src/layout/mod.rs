@@ -6,6 +6,7 @@
 
 mod declared;
 mod found;
+mod parse;
 mod structure;
 
 pub use declared::Layout;
