@@ -1,0 +1,124 @@
+//! The loops run on expressions: what every kernel over lanes computes, written down.
+
+use ffrf::generated_support::lanes::{LaneBody, MomentTable};
+use ffrf_codegen::ScalarType;
+use ffrf_codegen::body::BodyExpressions;
+use ffrf_codegen::expression::{Expression, Graph};
+use ffrf_codegen::formulate::State;
+use ffrf_codegen::lanes::LaneTables;
+
+use crate::lane_body::Bodies;
+use crate::symbolic::{Symbolic, record};
+
+/// What the kernels over lanes compute.
+pub struct Loops {
+    /// Columns. Shape: N x N.
+    pub mass_matrix: Vec<Vec<Expression>>,
+    /// Shape: N.
+    pub quadratic_velocity: Vec<Expression>,
+    /// Shape: N. Rational functions, not polynomials.
+    pub acceleration: Vec<Expression>,
+    pub kinetic_energy: Expression,
+    /// Shape: 3.
+    pub angular_momentum: Vec<Expression>,
+}
+
+/// How a number of modes is compiled: which constants of the loops belong to it.
+pub type Compiled = fn(&mut Graph, &BodyExpressions) -> Loops;
+
+/// All moments stored: `G` = 2 `PAIRS` + `SINGLE` groups.
+pub fn whole<const M: usize, const N: usize, const G: usize, const PAIRS: usize, const SINGLE: usize>(
+    graph: &mut Graph,
+    body: &BodyExpressions,
+) -> Loops {
+    let tables = tables(graph, body, ScalarType::F64);
+    let bodies = Bodies { zero: Symbolic(graph.zero()), constant: Symbolic };
+    let moments = bodies.whole::<Expression, M, PAIRS, SINGLE>(&tables);
+    run::<M, N, G, _>(graph, &bodies.body(&tables, moments))
+}
+
+/// Half of the moments stored: `H` rows of blocks of `W` modes.
+pub fn half<
+    const M: usize,
+    const N: usize,
+    const G: usize,
+    const W: usize,
+    const H: usize,
+    const TILES: usize,
+>(
+    graph: &mut Graph,
+    body: &BodyExpressions,
+) -> Loops
+where
+    Symbolic: ffrf::generated_support::lanes::HasLanes<W>,
+{
+    let scalar = if W == 4 { ScalarType::F64 } else { ScalarType::F32 };
+    let tables = tables(graph, body, scalar);
+    let bodies = Bodies { zero: Symbolic(graph.zero()), constant: Symbolic };
+    let moments = bodies.half::<Expression, W, H, TILES>(&tables);
+    run::<M, N, G, _>(graph, &bodies.body(&tables, moments))
+}
+
+/// The tables as the generator arranges them.
+fn tables(graph: &mut Graph, body: &BodyExpressions, scalar: ScalarType) -> LaneTables<Expression> {
+    let compliance = translation_compliance(graph, body);
+    LaneTables::arrange(graph, body, scalar, compliance)
+}
+
+/// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹ by cofactors: xx, yy, zz, xy, xz, yz.
+fn translation_compliance(graph: &mut Graph, body: &BodyExpressions) -> [Expression; 6] {
+    let mut left = [[graph.zero(); 3]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            let terms: Vec<Expression> = (0..body.mode_count())
+                .map(|mu| {
+                    let b = body.modal_first_moment[mu];
+                    let product = graph.multiply(b[i], b[j]);
+                    graph.divide(product, body.modal_mass[mu][mu])
+                })
+                .collect();
+            let carried = graph.sum(terms);
+            let mass = if i == j { body.mass } else { graph.zero() };
+            left[i][j] = graph.subtract(mass, carried);
+        }
+    }
+    let mut cofactor = |i: usize, j: usize| {
+        let [a, b] = [(i + 1) % 3, (i + 2) % 3];
+        let [c, d] = [(j + 1) % 3, (j + 2) % 3];
+        let (plus, minus) = (graph.multiply(left[a][c], left[b][d]), graph.multiply(left[a][d], left[b][c]));
+        graph.subtract(plus, minus)
+    };
+    let cofactors = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| cofactor(i, j));
+    let products = [(0, 0), (1, 3), (2, 4)].map(|(j, k)| graph.multiply(left[0][j], cofactors[k]));
+    let determinant = graph.sum(products);
+    cofactors.map(|cofactor| graph.divide(cofactor, determinant))
+}
+
+fn run<const M: usize, const N: usize, const G: usize, P: MomentTable<Symbolic, M, G>>(
+    graph: &mut Graph,
+    body: &LaneBody<Symbolic, M, G, P>,
+) -> Loops {
+    let inputs = State::symbolic(graph, M);
+    let list =
+        |expressions: &[Expression]| -> Vec<Symbolic> { expressions.iter().copied().map(Symbolic).collect() };
+    let modal = |expressions: &[Expression]| -> [Symbolic; M] {
+        list(expressions).try_into().unwrap_or_else(|_| panic!("{M} modes are expected"))
+    };
+    let (q, q_dot) = (modal(&inputs.q), modal(&inputs.q_dot));
+    let (omega, velocity) = (inputs.omega.map(Symbolic), inputs.velocity.map(Symbolic));
+    let force: [Symbolic; N] =
+        list(&inputs.force).try_into().unwrap_or_else(|_| panic!("{N} forces are expected"));
+    record(graph, || {
+        let state = body.state(&q, omega, &q_dot);
+        let plain = |list: &[Symbolic]| -> Vec<Expression> { list.iter().map(|entry| entry.0).collect() };
+        let columns: [[Symbolic; N]; N] = body.mass_matrix(&state);
+        let quadratic: [Symbolic; N] = body.quadratic_velocity(&state);
+        Loops {
+            mass_matrix: columns.iter().map(|column| plain(column)).collect(),
+            quadratic_velocity: plain(&quadratic),
+            acceleration: plain(&body.forward_dynamics(&state, &q, &q_dot, &force)),
+            kinetic_energy: body.kinetic_energy(&state, &velocity, &omega, &q_dot).0,
+            angular_momentum: plain(&body.angular_momentum(&state, &velocity, &omega)),
+        }
+    })
+}
