@@ -61,7 +61,7 @@ pub(crate) fn read_row_map(path: &Path, nodes: &NodeLookup) -> Result<RowMap, Fe
 
 /// Reads `.sti` or `.mas` and moves its rows to the degrees of freedom of the node table.
 pub(crate) fn read_matrix(path: &Path, nodes: &NodeLookup, map: &RowMap) -> Result<RawMatrix, FeError> {
-    let mut matrix = listed_matrix::read(Source::read(path)?, nodes)?;
+    let mut matrix = listed_matrix::read(Source::read_unhashed(path)?, nodes)?;
     if matrix.numbering != Numbering::Listed {
         return Ok(matrix);
     }

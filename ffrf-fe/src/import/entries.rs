@@ -1,22 +1,18 @@
 //! Matrix entries as a file lists them, read in parallel.
 
+use super::chunk::{Chunk, Order};
 use super::scan::{Cursor, Defect, DefectKind};
 
 /// Files below this size are read by one thread: starting a thread costs about as much as reading this.
 const PARALLEL_BYTES: usize = 1 << 20;
 
+/// Bytes at the start that show how long the lines of a file are.
+const SAMPLE_BYTES: usize = 4096;
+
 /// Entries (row, column, value), indices from 0, in file order; not summed, not mirrored.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Entries {
     chunks: Vec<Chunk>,
-}
-
-/// The entries of one piece of a file.
-#[derive(Debug, Clone, Default)]
-struct Chunk {
-    rows: Vec<u32>,
-    columns: Vec<u32>,
-    values: Vec<f64>,
 }
 
 /// Reads one index of a line: a row number, or a node with its direction.
@@ -53,32 +49,67 @@ impl Entries {
     /// Reads all lines from `start` to the end of `bytes`. Empty lines and lines that start with `*`, `%`, `#` or
     /// `!` are skipped.
     pub(crate) fn read<I: ReadIndex>(bytes: &[u8], start: usize, index: &I) -> Result<Self, Defect> {
-        let threads = match std::thread::available_parallelism() {
+        let pieces = match std::thread::available_parallelism() {
             Ok(threads) if bytes.len() - start > PARALLEL_BYTES => threads.get().min(8),
             _ => 1,
         };
-        let bounds = line_bounds(bytes, start, threads);
-        let chunks: Result<Vec<Chunk>, Defect> = if threads == 1 {
-            bounds.windows(2).map(|ends| read_chunk(&bytes[..ends[1]], ends[0], index)).collect()
-        } else {
-            std::thread::scope(|scope| {
-                let workers: Vec<_> = bounds
-                    .windows(2)
-                    .map(|ends| {
-                        let (from, piece) = (ends[0], &bytes[..ends[1]]);
-                        (from, scope.spawn(move || read_chunk(piece, from, index)))
-                    })
-                    .collect();
-                let unread = |from| Err(Defect { at: from, kind: DefectKind::Expected("a readable piece") });
-                workers.into_iter().map(|(from, work)| work.join().unwrap_or_else(|_| unread(from))).collect()
-            })
-        };
+        Self::read_pieces(bytes, start, index, pieces)
+    }
+
+    /// Reads the lines in so many pieces at once. The result, and the defect if there is one, are those of one
+    /// piece: pieces end at line ends, are kept in file order, and the first one with a defect decides.
+    fn read_pieces<I: ReadIndex>(
+        bytes: &[u8],
+        start: usize,
+        index: &I,
+        pieces: usize,
+    ) -> Result<Self, Defect> {
+        let bounds = line_bounds(bytes, start, pieces);
+        let per_byte = entries_per_byte(&bytes[start..]);
+        let room = |bytes: usize| (bytes as f64 * per_byte) as usize + 8;
+        let read =
+            |from: usize, to: usize, room: usize| Chunk::with_capacity(room).read(&bytes[..to], from, index);
+        let chunks: Result<Vec<Chunk>, Defect> = std::thread::scope(|scope| {
+            let workers: Vec<_> = bounds
+                .windows(2)
+                .skip(1)
+                .map(|ends| (ends[0], ends[1]))
+                .map(|(from, to)| (from, scope.spawn(move || read(from, to, room(to - from)))))
+                .collect();
+            // The first chunk has room for the others, which are appended to it in the end.
+            let first = read(bounds[0], bounds[1], room(bytes.len() - start));
+            let unread = |from| Err(Defect { at: from, kind: DefectKind::Expected("a readable piece") });
+            let others = workers.into_iter().map(|(from, work)| work.join().unwrap_or_else(|_| unread(from)));
+            std::iter::once(first).chain(others).collect()
+        });
         Ok(Entries { chunks: chunks? })
     }
 
     /// Entries from three vectors of the same length.
     pub(crate) fn from_vectors(rows: Vec<u32>, columns: Vec<u32>, values: Vec<f64>) -> Self {
-        Entries { chunks: vec![Chunk { rows, columns, values }] }
+        Entries { chunks: vec![Chunk::from_vectors(rows, columns, values)] }
+    }
+
+    /// All entries in one piece.
+    pub(crate) fn joined(self) -> Chunk {
+        let order = self.order();
+        let mut chunks = self.chunks.into_iter();
+        let mut whole = chunks.next().unwrap_or_else(|| Chunk::with_capacity(0));
+        for chunk in chunks {
+            whole.rows.extend_from_slice(&chunk.rows);
+            whole.columns.extend_from_slice(&chunk.columns);
+            whole.values.extend_from_slice(&chunk.values);
+        }
+        whole.order = order;
+        whole
+    }
+
+    /// The order of all entries.
+    pub(crate) fn order(&self) -> Order {
+        self.chunks.iter().fold(Order::default(), |order, chunk| match chunk.first() {
+            Some(first) => order.followed_by(first, chunk.order),
+            None => order,
+        })
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -96,7 +127,7 @@ impl Entries {
 
     /// One more than the largest index; 0 without entries.
     pub(crate) fn extent(&self) -> usize {
-        self.iter().map(|(row, column, _)| row.max(column) + 1).max().unwrap_or(0)
+        self.order().extent
     }
 
     /// Which of the first `size` indices occur as a row or column.
@@ -115,9 +146,7 @@ impl Entries {
     /// Replaces every index `i` by `map[i]`; every index must be below the map's length.
     pub(crate) fn renumber(&mut self, map: &[u32]) {
         for chunk in &mut self.chunks {
-            for index in chunk.rows.iter_mut().chain(&mut chunk.columns) {
-                *index = map[*index as usize];
-            }
+            chunk.renumber(map);
         }
     }
 }
@@ -135,28 +164,11 @@ fn line_bounds(bytes: &[u8], start: usize, pieces: usize) -> Vec<usize> {
     bounds
 }
 
-fn read_chunk<I: ReadIndex>(bytes: &[u8], start: usize, index: &I) -> Result<Chunk, Defect> {
-    // An entry takes 12 bytes at least in practice; a wrong guess costs one reallocation.
-    let guess = (bytes.len() - start) / 20;
-    let mut chunk = Chunk {
-        rows: Vec::with_capacity(guess),
-        columns: Vec::with_capacity(guess),
-        values: Vec::with_capacity(guess),
-    };
-    let mut cursor = Cursor::new(bytes, start);
-    while cursor.at < bytes.len() {
-        if skip_blank_or_comment(bytes, &mut cursor) {
-            continue;
-        }
-        let row = index.read(&mut cursor)?;
-        let column = index.read(&mut cursor)?;
-        let value = cursor.float(I::LINE)?;
-        cursor.end_line(I::LINE)?;
-        chunk.rows.push(row);
-        chunk.columns.push(column);
-        chunk.values.push(value);
-    }
-    Ok(chunk)
+/// About how many lines a byte of the file holds; the first lines are rather shorter than the later ones.
+fn entries_per_byte(bytes: &[u8]) -> f64 {
+    let sample = &bytes[..bytes.len().min(SAMPLE_BYTES)];
+    let lines = 1 + sample.iter().filter(|&&byte| byte == b'\n').count();
+    lines as f64 / sample.len().max(1) as f64
 }
 
 /// Goes over an empty line or a comment; false if the line holds data.
@@ -192,6 +204,7 @@ pub(crate) fn offset_of_data_line(bytes: &[u8], start: usize, wanted: usize) -> 
 
 #[cfg(test)]
 mod tests {
+    use super::super::lines::Lines;
     use super::*;
 
     #[test]
@@ -207,6 +220,53 @@ mod tests {
         let entries = Entries::read(text.as_bytes(), 0, &RowNumber { limit: 977 }).unwrap();
         assert_eq!(entries.iter().collect::<Vec<_>>(), expected);
         assert_eq!(entries.extent(), 977);
+    }
+
+    const TEXT: &str = "* a comment\n1 1 2.0\r\n\n 2,1, -1.5e-3\n1 2 0.1\n% more\n1 2 0.2\n1 2 0.3\n3 3 7";
+
+    fn pieces(text: &str, pieces: usize) -> Result<Entries, Defect> {
+        Entries::read_pieces(text.as_bytes(), 0, &RowNumber { limit: 3 }, pieces)
+    }
+
+    #[test]
+    fn pieces_that_end_anywhere_give_the_entries_of_one_piece() {
+        let expected = [(0, 0, 2.0), (1, 0, -1.5e-3), (0, 1, 0.1), (0, 1, 0.2), (0, 1, 0.3), (2, 2, 7.0)];
+        // So many pieces that their ends fall within every token, on line ends, and several into one line.
+        for count in 1..=2 * TEXT.len() {
+            for text in [TEXT.to_owned(), format!("{TEXT}\n"), TEXT.replace('\n', "\r\n")] {
+                let entries = pieces(&text, count).unwrap();
+                assert_eq!(entries.iter().collect::<Vec<_>>(), expected, "{count} pieces");
+                assert_eq!(entries.order(), pieces(&text, 1).unwrap().order(), "{count} pieces");
+                let whole = entries.joined();
+                assert_eq!(whole.values, expected.map(|entry| entry.2), "{count} pieces");
+                assert_eq!((whole.rows.len(), whole.columns.len()), (6, 6));
+            }
+        }
+    }
+
+    #[test]
+    fn duplicates_in_different_pieces_are_summed_in_file_order() {
+        // (0.1 + 0.2) + 0.3 and 0.1 + (0.2 + 0.3) differ in the last digit.
+        let sum = |count| Lines::from_entries(pieces(TEXT, count).unwrap(), 3).values;
+        assert!(sum(1).contains(&((0.1 + 0.2) + 0.3)), "{:?}", sum(1));
+        for count in 2..=2 * TEXT.len() {
+            let (one, many) = (sum(1), sum(count));
+            assert!(one.iter().zip(&many).all(|(a, b)| a.to_bits() == b.to_bits()), "{count}: {many:?}");
+        }
+    }
+
+    #[test]
+    fn the_first_of_several_defects_is_reported_whatever_the_pieces() {
+        let late = TEXT.replace("3 3 7", "3 x 7");
+        let at = late.find('x').unwrap();
+        let both = late.replace("1 2 0.2", "1 4 0.2");
+        let first = both.find("4 0.2").unwrap();
+        for count in 1..=2 * TEXT.len() {
+            let defect = pieces(&late, count).unwrap_err();
+            assert_eq!(defect, Defect { at, kind: DefectKind::Expected(RowNumber::LINE) }, "{count}");
+            let defect = pieces(&both, count).unwrap_err();
+            assert_eq!(defect, Defect { at: first, kind: DefectKind::ExpectedIndex(3) }, "{count}");
+        }
     }
 
     #[test]

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use super::lines::Lines;
 use super::node_table::NodeLookup;
 use super::raw_matrix::RawMatrix;
 use super::source::Source;
-use super::symmetric::Columns;
 use super::{listed_matrix, matrix_market, numpy};
 use crate::{FeError, Nodes, SparseMatrix};
 
@@ -18,12 +18,12 @@ use crate::{FeError, Nodes, SparseMatrix};
 /// A file that does not follow its format, or an asymmetric matrix.
 pub fn read_matrix(path: &Path, nodes: &Nodes) -> Result<SparseMatrix, FeError> {
     let raw = read(path, &NodeLookup::new(&nodes.ids))?;
-    Columns::from_entries(&raw.entries, raw.size).symmetric(raw.storage, raw.source.path())
+    Lines::from_entries(raw.entries, raw.size).symmetric(raw.storage, raw.source.path())
 }
 
 /// Reads Matrix Market, NumPy and headerless lists.
 pub(crate) fn read(path: &Path, nodes: &NodeLookup) -> Result<RawMatrix, FeError> {
-    let source = Source::read(path)?;
+    let source = Source::read_unhashed(path)?;
     let bytes = source.bytes();
     if matrix_market::is_matrix_market(bytes) {
         matrix_market::read_square(source)

@@ -136,7 +136,8 @@ fn read_coordinates(source: &Source, header: &Header) -> Result<Entries, FeError
             return Err(source.expected(at(entry), expected));
         }
     }
-    if header.symmetric {
+    let order = entries.order();
+    if header.symmetric && order.below && order.above {
         let side = entries.iter().map(|(row, column, _)| row.cmp(&column)).find(|side| side.is_ne());
         let stray = entries
             .iter()

@@ -1,7 +1,7 @@
 //! Readers: files of FE codes to [`FeModel`](crate::FeModel).
 //!
 //! Stages: a file's bytes (`source`, hashed while read) -> numbers (`scan`) -> entries as listed
-//! (`entries`, one reader per format) -> symmetric sparse matrix (`symmetric`) -> checked model (`model`).
+//! (`entries`, one reader per format) -> sorted lines (`lines`) -> symmetric sparse matrix (`symmetric`) -> checked model (`model`).
 //!
 //! | Source | Nodes | Matrices |
 //! |---|---|---|
@@ -23,15 +23,20 @@
 
 mod ansys;
 mod calculix;
+mod chunk;
 mod compressed;
+mod decimal;
 mod deck;
 mod definiteness;
+mod digits;
 mod entries;
 mod large_definiteness;
+mod lines;
 mod listed_matrix;
 mod mass;
 mod matrix_file;
 mod matrix_market;
+mod mirror;
 mod mode_shapes;
 mod model;
 mod model_files;

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use super::definiteness::refuse_indefinite;
+use super::lines::Lines;
 use super::mass::{ScalarMass, scalar_mass};
 use super::node_table::{NodeTable, compressed};
 use super::raw_matrix::{Numbering, RawMatrix};
-use super::symmetric::Columns;
 use crate::{FeError, SparseMatrix};
 
 /// Abaqus writes 1e36 on the diagonal of degrees of freedom that boundary conditions hold.
@@ -21,7 +21,7 @@ pub(crate) struct Assembled {
 
 /// A matrix over all degrees of freedom, and which of them were held.
 struct Settled {
-    columns: Columns,
+    lines: Lines,
     /// Held by a huge diagonal entry, or left out of a list.
     held: Vec<bool>,
     /// Held by a huge diagonal entry.
@@ -30,8 +30,8 @@ struct Settled {
 
 pub(crate) fn assemble(
     table: &NodeTable,
-    mass: &RawMatrix,
-    stiffness: Option<&RawMatrix>,
+    mass: &mut RawMatrix,
+    stiffness: Option<&mut RawMatrix>,
 ) -> Result<Assembled, FeError> {
     let nodes = table.nodes.len();
     let dofs = 3 * nodes;
@@ -42,15 +42,16 @@ pub(crate) fn assemble(
             refuse_size(raw, nodes, false)?;
             let settled = settle(raw);
             held.copy_from_slice(&settled.held);
-            let matrix = settled.columns.symmetric(raw.storage, raw.source.path())?;
+            let matrix = settled.lines.symmetric(raw.storage, raw.source.path())?;
             refuse_indefinite(&matrix, "stiffness", raw.source.path())?;
             Some(matrix)
         }
     };
     refuse_size(mass, nodes, true)?;
-    let path = mass.source.path();
+    let path = &mass.source.path().to_path_buf();
     let scalar = if mass.size == nodes {
-        let matrix = Columns::from_entries(&mass.entries, nodes).symmetric(mass.storage, path)?;
+        let matrix =
+            Lines::from_entries(std::mem::take(&mut mass.entries), nodes).symmetric(mass.storage, path)?;
         ScalarMass { matrix, anisotropy: 0.0 }
     } else {
         let settled = settle(mass);
@@ -64,14 +65,14 @@ pub(crate) fn assemble(
         }
         let known: Vec<bool> = (0..dofs)
             .map(|dof| {
-                let has_mass = settled.columns.diagonal(dof).is_some_and(|value| value != 0.0);
+                let has_mass = settled.lines.diagonal(dof).is_some_and(|value| value != 0.0);
                 !settled.huge[dof] && (!held[dof] || has_mass)
             })
             .collect();
         for (flag, huge) in held.iter_mut().zip(&settled.huge) {
             *flag |= huge;
         }
-        let full = settled.columns.symmetric(mass.storage, path)?;
+        let full = settled.lines.symmetric(mass.storage, path)?;
         scalar_mass(&full, &known, table, path)?
     };
     refuse_massless(&scalar.matrix, path)?;
@@ -80,20 +81,18 @@ pub(crate) fn assemble(
     Ok(Assembled { mass: scalar, stiffness, fixed_dofs })
 }
 
-/// Sorts the entries and finds the held degrees of freedom; their rows become zero.
-fn settle(raw: &RawMatrix) -> Settled {
-    let mut columns = Columns::from_entries(&raw.entries, raw.size);
-    let huge: Vec<bool> =
-        (0..raw.size).map(|dof| columns.diagonal(dof).is_some_and(|value| value >= HELD_DIAGONAL)).collect();
-    columns.clear(&huge);
-    let held = match raw.numbering {
-        Numbering::Declared => huge.clone(),
-        Numbering::Listed | Numbering::Labelled => {
-            let present = raw.entries.present(raw.size);
-            present.iter().zip(&huge).map(|(&present, &huge)| huge || !present).collect()
-        }
+/// Takes the entries, sorts them and finds the held degrees of freedom; their rows become zero.
+fn settle(raw: &mut RawMatrix) -> Settled {
+    let present = match raw.numbering {
+        Numbering::Declared => vec![true; raw.size],
+        Numbering::Listed | Numbering::Labelled => raw.entries.present(raw.size),
     };
-    Settled { columns, held, huge }
+    let mut lines = Lines::from_entries(std::mem::take(&mut raw.entries), raw.size);
+    let huge: Vec<bool> =
+        (0..raw.size).map(|dof| lines.diagonal(dof).is_some_and(|value| value >= HELD_DIAGONAL)).collect();
+    lines.clear(&huge);
+    let held = present.iter().zip(&huge).map(|(&present, &huge)| huge || !present).collect();
+    Settled { lines, held, huge }
 }
 
 fn refuse_size(raw: &RawMatrix, nodes: usize, scalar_allowed: bool) -> Result<(), FeError> {

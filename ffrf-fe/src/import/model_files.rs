@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::calculix::RowMap;
 use super::compressed::stored_path;
 use super::node_table::{NodeLookup, NodeTable};
+use super::raw_matrix::RawMatrix;
 use super::source::Source;
 use super::{ansys, calculix, deck, matrix_file, model, numpy, text_table};
 use crate::{FeError, FeModel};
@@ -64,15 +65,19 @@ pub fn read_model(files: &ModelFiles) -> Result<FeModel, FeError> {
         };
         return Err(FeError::MissingFile { role: "mass", advice });
     };
-    let read = |path: &Path| match &row_map {
-        Some(map) => calculix::read_matrix(path, &lookup, map),
-        None => matrix_file::read(path, &lookup),
+    let read = |path: &Path| -> Result<RawMatrix, FeError> {
+        let mut raw = match &row_map {
+            Some(map) => calculix::read_matrix(path, &lookup, map)?,
+            None => matrix_file::read(path, &lookup)?,
+        };
+        raw.source.start_hash();
+        Ok(raw)
     };
     let mut mass = read(&mass_path)?;
     let stiffness = files.stiffness.clone().or_else(|| beside("sti"));
     let mut stiffness = stiffness.map(|path| read(&path)).transpose()?;
     model::drop_unused_nodes(&mut table, &mut mass, stiffness.as_mut(), row_map.is_some());
-    let parts = model::assemble(&table, &mass, stiffness.as_ref())?;
+    let parts = model::assemble(&table, &mut mass, stiffness.as_mut())?;
 
     let mut hashed: Vec<_> = sources.into_iter().map(|(role, source)| source.finish(role)).collect();
     hashed.extend(row_map.map(|map| map.source.finish("degrees of freedom")));

@@ -1,5 +1,7 @@
 //! Numbers in bytes: a cursor that reads integers and floats without allocating.
 
+use super::{decimal, digits};
+
 /// What is wrong at a place of a file; turned into an error with the line number by [`super::source::Source`].
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Defect {
@@ -21,12 +23,6 @@ pub(crate) enum DefectKind {
     /// The token is the id of no known node.
     UnknownNode(u64),
 }
-
-/// Powers of ten that are exact in double precision.
-const EXACT_POWERS: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
-    1e19, 1e20, 1e21, 1e22,
-];
 
 /// A position in a byte buffer.
 #[derive(Debug, Clone)]
@@ -93,12 +89,9 @@ impl<'a> Cursor<'a> {
     pub(crate) fn unsigned(&mut self, expected: &'static str) -> Result<u64, Defect> {
         self.skip_separators();
         let start = self.at;
-        let mut value = 0_u64;
-        while let Some(byte @ b'0'..=b'9') = self.peek() {
-            value = value.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
-            self.at += 1;
-        }
-        let digits = self.at - start;
+        let (value, end) = digits(self.bytes, start, 0);
+        let digits = end - start;
+        self.at = end;
         if digits == 0 || digits > 19 || !self.at_token_end() {
             self.at = start;
             return self.defect(DefectKind::Expected(expected));
@@ -108,9 +101,7 @@ impl<'a> Cursor<'a> {
 
     /// Reads the next token as a finite float, correctly rounded.
     ///
-    /// Up to 2^53 in the digits and 10^22 in the exponent one exact multiplication or division rounds correctly
-    /// (Clinger, "How to read floating point numbers accurately", 1990); the rest goes through the standard
-    /// library.
+    /// More than 19 digits and very large or small numbers go through the standard library.
     #[inline]
     pub(crate) fn float(&mut self, expected: &'static str) -> Result<f64, Defect> {
         self.skip_separators();
@@ -124,68 +115,36 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    #[inline]
+    /// A number of up to 19 digits, which this moves behind.
+    #[inline(always)]
     fn short_float(&mut self) -> Option<f64> {
-        let negative = self.sign();
-        let mut mantissa = 0_u64;
-        let whole = self.digits(&mut mantissa);
-        let mut exponent = 0_i64;
-        let mut fraction = 0;
-        if self.peek() == Some(b'.') {
-            self.at += 1;
-            fraction = self.digits(&mut mantissa);
-            exponent = -i64::try_from(fraction).ok()?;
+        let bytes = self.bytes;
+        let (negative, at) = sign(bytes, self.at);
+        let start = at;
+        let (mut mantissa, mut at) = digits(bytes, at, 0);
+        let mut count = at - start;
+        let mut exponent = 0;
+        if bytes.get(at) == Some(&b'.') {
+            let point = at + 1;
+            (mantissa, at) = digits(bytes, point, mantissa);
+            count += at - point;
+            exponent = -((at - point) as i32);
         }
-        if whole + fraction == 0 || whole + fraction > 19 {
+        if count == 0 || count > 19 {
             return None;
         }
-        if let Some(b'e' | b'E' | b'd' | b'D') = self.peek() {
-            self.at += 1;
-            let negative_exponent = self.sign();
-            let mut power = 0_u64;
-            let digits = self.digits(&mut power);
-            if digits == 0 || digits > 4 {
+        if let Some(b'e' | b'E' | b'd' | b'D') = bytes.get(at) {
+            let (down, start) = sign(bytes, at + 1);
+            let power;
+            (power, at) = digits(bytes, start, 0);
+            if at == start || at - start > 4 {
                 return None;
             }
-            let power = i64::try_from(power).ok()?;
-            exponent += if negative_exponent { -power } else { power };
+            exponent += if down { -(power as i32) } else { power as i32 };
         }
-        if mantissa > 1 << 53 {
-            return None;
-        }
-        let power = *EXACT_POWERS.get(usize::try_from(exponent.unsigned_abs()).ok()?)?;
-        let magnitude = if exponent < 0 { mantissa as f64 / power } else { mantissa as f64 * power };
-        Some(if negative { -magnitude } else { magnitude })
-    }
-
-    #[inline]
-    fn sign(&mut self) -> bool {
-        match self.peek() {
-            Some(b'-') => {
-                self.at += 1;
-                true
-            }
-            Some(b'+') => {
-                self.at += 1;
-                false
-            }
-            _ => false,
-        }
-    }
-
-    /// Appends decimal digits to `value` and returns how many there were.
-    #[inline]
-    fn digits(&mut self, value: &mut u64) -> usize {
-        let start = self.at;
-        while let Some(eight) = self.bytes.get(self.at..self.at + 8).and_then(eight_digits) {
-            *value = value.wrapping_mul(100_000_000).wrapping_add(eight);
-            self.at += 8;
-        }
-        while let Some(byte @ b'0'..=b'9') = self.peek() {
-            *value = value.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
-            self.at += 1;
-        }
-        self.at - start
+        self.at = at;
+        let magnitude = decimal::nearest(mantissa, exponent)?;
+        Some(f64::from_bits(magnitude.to_bits() | u64::from(negative) << 63))
     }
 
     #[cold]
@@ -216,21 +175,30 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// Value of eight decimal digits, if all eight bytes are digits; byte-parallel arithmetic in one word
-/// (Lemire, "Number parsing at a gigabyte per second", 2021).
-#[inline]
-fn eight_digits(bytes: &[u8]) -> Option<u64> {
-    let word = u64::from_le_bytes(bytes.try_into().ok()?);
-    let high = word & 0xf0f0_f0f0_f0f0_f0f0;
-    let carried = word.wrapping_add(0x0606_0606_0606_0606) & 0xf0f0_f0f0_f0f0_f0f0;
-    if high | (carried >> 4) != 0x3333_3333_3333_3333 {
-        return None;
+/// True for a minus, and the offset behind the sign. Without branches, because signs follow no pattern.
+#[inline(always)]
+fn sign(bytes: &[u8], at: usize) -> (bool, usize) {
+    let byte = bytes.get(at).copied().unwrap_or(b' ');
+    (byte == b'-', at + usize::from(byte == b'-' || byte == b'+'))
+}
+
+/// Appends decimal digits to `value`; returns the new value and the offset behind the digits.
+#[inline(always)]
+fn digits(bytes: &[u8], start: usize, mut value: u64) -> (u64, usize) {
+    let mut at = start;
+    while let Some(word) = bytes.get(at..).and_then(|rest| rest.first_chunk()) {
+        let count;
+        (value, count) = digits::append(u64::from_le_bytes(*word), value);
+        at += count;
+        if count < 8 {
+            return (value, at);
+        }
     }
-    let digits = word & 0x0f0f_0f0f_0f0f_0f0f;
-    let pairs = digits.wrapping_mul(10).wrapping_add(digits >> 8);
-    let even = (pairs & 0x0000_00ff_0000_00ff).wrapping_mul(0x000f_4240_0000_0064);
-    let odd = ((pairs >> 16) & 0x0000_00ff_0000_00ff).wrapping_mul(0x0000_2710_0000_0001);
-    Some(even.wrapping_add(odd) >> 32)
+    while let Some(byte @ b'0'..=b'9') = bytes.get(at).copied() {
+        value = value.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
+        at += 1;
+    }
+    (value, at)
 }
 
 #[cfg(test)]
@@ -256,20 +224,6 @@ mod tests {
             ("123456789012345678901234567890", 123456789012345678901234567890.0),
         ] {
             assert_eq!(float(text).map(f64::to_bits), Ok(value.to_bits()), "{text}");
-        }
-    }
-
-    #[test]
-    fn eight_digits_are_eight_digits() {
-        assert_eq!(eight_digits(b"12345678"), Some(12_345_678));
-        assert_eq!(eight_digits(b"00000009"), Some(9));
-        assert_eq!(eight_digits(b"99999999"), Some(99_999_999));
-        for byte in 0..=u8::MAX {
-            for place in 0..8 {
-                let mut text = *b"11111111";
-                text[place] = byte;
-                assert_eq!(eight_digits(&text).is_some(), byte.is_ascii_digit(), "{text:?}");
-            }
         }
     }
 

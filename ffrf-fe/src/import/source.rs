@@ -28,17 +28,31 @@ pub(crate) struct Source {
 impl Source {
     /// Reads the file whole, or the one with `.gz` after its name, and starts hashing it.
     pub(crate) fn read(path: &Path) -> Result<Self, FeError> {
+        let mut source = Self::read_unhashed(path)?;
+        source.start_hash();
+        Ok(source)
+    }
+
+    /// Reads the file whole, or the one with `.gz` after its name. For large files, which all cores scan: the hash
+    /// is started once they are scanned, by [`Self::start_hash`], or else comes with [`Self::finish`].
+    pub(crate) fn read_unhashed(path: &Path) -> Result<Self, FeError> {
         let path = stored_path(path);
         let failure = |source| FeError::Io { path: path.clone(), source };
         let stored = Arc::new(std::fs::read(&path).map_err(failure)?);
-        let shared = Arc::clone(&stored);
-        let hash = std::thread::Builder::new().spawn(move || sha256(&shared)).ok();
         let bytes = if is_compressed(&path) {
             Arc::new(inflate(&stored).map_err(failure)?)
         } else {
             Arc::clone(&stored)
         };
-        Ok(Source { path, stored, bytes, hash })
+        Ok(Source { path, stored, bytes, hash: None })
+    }
+
+    /// Hashes the bytes on a thread of their own, unless this has been done.
+    pub(crate) fn start_hash(&mut self) {
+        if self.hash.is_none() {
+            let shared = Arc::clone(&self.stored);
+            self.hash = std::thread::Builder::new().spawn(move || sha256(&shared)).ok();
+        }
     }
 
     pub(crate) fn path(&self) -> &Path {

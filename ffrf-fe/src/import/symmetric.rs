@@ -4,7 +4,8 @@ use std::path::Path;
 
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
-use super::entries::Entries;
+use super::lines::{LineKind, Lines};
+use super::mirror::{self, Agreement};
 use super::raw_matrix::Storage;
 use crate::{FeError, SparseMatrix};
 
@@ -12,126 +13,55 @@ use crate::{FeError, SparseMatrix};
 /// digits, so mirrored entries agree to 1e-13; a wrong entry differs by far more.
 pub(crate) const SYMMETRY_TOLERANCE: f64 = 1e-9;
 
-/// Compressed columns with rows ascending.
-#[derive(Debug, Clone)]
-pub(crate) struct Columns {
-    starts: Vec<usize>,
-    rows: Vec<u32>,
-    values: Vec<f64>,
-}
-
-impl Columns {
-    /// Sorts entries by two counting passes and sums duplicates in file order.
-    pub(crate) fn from_entries(entries: &Entries, size: usize) -> Self {
-        let mut starts = vec![0; size + 1];
-        for (row, _, _) in entries.iter() {
-            starts[row + 1] += 1;
-        }
-        accumulate(&mut starts);
-        let mut next = starts.clone();
-        let mut rows = vec![0_u32; entries.len()];
-        let mut values = vec![0.0; entries.len()];
-        for (row, column, value) in entries.iter() {
-            let place = next[row];
-            next[row] += 1;
-            // `column` came from a u32.
-            rows[place] = column as u32;
-            values[place] = value;
-        }
-        let mut sorted = Columns { starts, rows, values }.transpose();
-        sorted.sum_duplicates();
-        sorted
-    }
-
-    fn size(&self) -> usize {
-        self.starts.len() - 1
-    }
-
-    /// Rows and values of a column.
-    fn column(&self, column: usize) -> (&[u32], &[f64]) {
-        let range = self.starts[column]..self.starts[column + 1];
-        (&self.rows[range.clone()], &self.values[range])
-    }
-
-    /// The transposed matrix; its rows come out ascending.
-    fn transpose(&self) -> Self {
-        let size = self.size();
-        let mut starts = vec![0; size + 1];
-        for &row in &self.rows {
-            starts[row as usize + 1] += 1;
-        }
-        accumulate(&mut starts);
-        let mut next = starts.clone();
-        let mut rows = vec![0_u32; self.rows.len()];
-        let mut values = vec![0.0; self.rows.len()];
-        for column in 0..size {
-            let (old_rows, old_values) = self.column(column);
-            for (&row, &value) in old_rows.iter().zip(old_values) {
-                let place = next[row as usize];
-                next[row as usize] += 1;
-                rows[place] = column as u32;
-                values[place] = value;
-            }
-        }
-        Columns { starts, rows, values }
-    }
-
-    fn sum_duplicates(&mut self) {
-        let mut kept = 0;
-        let mut begin = 0;
-        for column in 0..self.size() {
-            let end = self.starts[column + 1];
-            let first = kept;
-            for place in begin..end {
-                if kept > first && self.rows[kept - 1] == self.rows[place] {
-                    self.values[kept - 1] += self.values[place];
-                } else {
-                    self.rows[kept] = self.rows[place];
-                    self.values[kept] = self.values[place];
-                    kept += 1;
-                }
-            }
-            begin = end;
-            self.starts[column + 1] = kept;
-        }
-        self.rows.truncate(kept);
-        self.values.truncate(kept);
-    }
-
-    /// Diagonal entry, if stored.
-    pub(crate) fn diagonal(&self, index: usize) -> Option<f64> {
-        let (rows, values) = self.column(index);
-        rows.binary_search(&(index as u32)).ok().map(|place| values[place])
-    }
-
-    /// Sets all entries of these rows and columns to zero.
-    pub(crate) fn clear(&mut self, cleared: &[bool]) {
-        for column in 0..self.size() {
-            for place in self.starts[column]..self.starts[column + 1] {
-                if cleared[column] || cleared[self.rows[place] as usize] {
-                    self.values[place] = 0.0;
-                }
-            }
-        }
-    }
-
+impl Lines {
     /// The symmetric matrix with both triangles, or the worst asymmetry.
-    pub(crate) fn symmetric(&self, storage: Storage, path: &Path) -> Result<SparseMatrix, FeError> {
-        let mirrored = self.transpose();
+    pub(crate) fn symmetric(self, storage: Storage, path: &Path) -> Result<SparseMatrix, FeError> {
+        let (before, behind) = mirror::sides(&self);
+        let one_sided = !(before && behind);
+        if one_sided && storage != Storage::Full {
+            return Ok(matrix(mirror::without_zeros(mirror::expand(&self))));
+        }
+        if storage != Storage::OneTriangle
+            && let Some(Agreement { deviation }) = mirror::compare(&self)
+        {
+            if deviation == 0.0 {
+                return Ok(matrix(mirror::without_zeros(self)));
+            }
+            if deviation <= SYMMETRY_TOLERANCE * self.largest() {
+                return Ok(matrix(mirror::without_zeros(mirror::average(self))));
+            }
+        }
+        self.united(storage, path)
+    }
+
+    /// Largest magnitude of an entry.
+    fn largest(&self) -> f64 {
+        self.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
+    }
+
+    /// The same for any pattern: unites each column with the row of the same number.
+    fn united(self, storage: Storage, path: &Path) -> Result<SparseMatrix, FeError> {
+        let (columns, mirrored) = match self.kind {
+            LineKind::Column => {
+                let mirrored = self.transposed();
+                (self, mirrored)
+            }
+            LineKind::Row => (self.transposed(), self),
+        };
         let one_triangle = match storage {
             Storage::Full => false,
             Storage::OneTriangle => true,
-            Storage::Undeclared => !self.has_mirrored_pair(&mirrored),
+            Storage::Undeclared => !columns.has_mirrored_pair(&mirrored),
         };
-        let largest = self.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let largest = columns.largest();
         let mut worst = (0.0, 0, 0, 0.0, 0.0);
-        let mut starts = Vec::with_capacity(self.size() + 1);
-        let reserve = self.values.len() * if one_triangle { 2 } else { 1 };
+        let mut starts = Vec::with_capacity(columns.size() + 1);
+        let reserve = columns.values.len() * if one_triangle { 2 } else { 1 };
         let mut rows: Vec<usize> = Vec::with_capacity(reserve);
         let mut values: Vec<f64> = Vec::with_capacity(reserve);
         starts.push(0);
-        for column in 0..self.size() {
-            for (row, here, there) in Union::new(self.column(column), mirrored.column(column)) {
+        for column in 0..columns.size() {
+            for (row, here, there) in Union::new(columns.line(column), mirrored.line(column)) {
                 let value = if one_triangle {
                     if row == column { here } else { here + there }
                 } else {
@@ -160,13 +90,13 @@ impl Columns {
                 tolerance: SYMMETRY_TOLERANCE,
             });
         }
-        Ok(sparse(self.size(), starts, rows, values))
+        Ok(sparse(columns.size(), starts, rows, values))
     }
 
     /// True if some off-diagonal entry and its mirror image are both stored.
-    fn has_mirrored_pair(&self, mirrored: &Columns) -> bool {
+    fn has_mirrored_pair(&self, mirrored: &Lines) -> bool {
         (0..self.size()).any(|column| {
-            let (mut here, mut there) = (self.column(column).0, mirrored.column(column).0);
+            let (mut here, mut there) = (self.line(column).0, mirrored.line(column).0);
             while let (Some((&a, rest_here)), Some((&b, rest_there))) =
                 (here.split_first(), there.split_first())
             {
@@ -190,12 +120,9 @@ pub(crate) fn sparse(size: usize, starts: Vec<usize>, rows: Vec<usize>, values: 
     SparseColMat::new(SymbolicSparseColMat::new_checked(size, size, starts, None, rows), values)
 }
 
-fn accumulate(counts: &mut [usize]) {
-    let mut sum = 0;
-    for count in counts {
-        sum += *count;
-        *count = sum;
-    }
+fn matrix(lines: Lines) -> SparseMatrix {
+    let places = lines.places.iter().map(|&place| place as usize).collect();
+    sparse(lines.size(), lines.starts, places, lines.values)
 }
 
 /// Walks two sorted columns and yields (row, value in the first, value in the second).
@@ -237,15 +164,16 @@ impl Iterator for Union<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::entries::Entries;
     use super::*;
 
-    fn columns(triplets: &[(u32, u32, f64)], size: usize) -> Columns {
+    fn columns(triplets: &[(u32, u32, f64)], size: usize) -> Lines {
         let entries = Entries::from_vectors(
             triplets.iter().map(|entry| entry.0).collect(),
             triplets.iter().map(|entry| entry.1).collect(),
             triplets.iter().map(|entry| entry.2).collect(),
         );
-        Columns::from_entries(&entries, size)
+        Lines::from_entries(entries, size)
     }
 
     fn dense(matrix: &SparseMatrix) -> Vec<Vec<f64>> {
@@ -283,5 +211,45 @@ mod tests {
         }
         let lower_only = [(0, 0, 4.0), (1, 0, -1.5), (1, 1, 3.0)];
         assert!(columns(&lower_only, 2).symmetric(Storage::Full, Path::new("k.mtx")).is_err());
+    }
+
+    /// The general way and the short ways must give the same bits, in every order of the list.
+    #[test]
+    fn the_short_ways_agree_with_the_general_one() {
+        let path = Path::new("k.mtx");
+        let size = 7_u32;
+        let value = |i: u32, j: u32| f64::from((i.min(j) * 31 + i.max(j) * 17) % 11) / 7.0 - 0.5;
+        let noise = |i: u32, j: u32| if i < j { 1.0 + 1e-13 } else { 1.0 };
+        let stored = |i: u32, j: u32| i == j || (i + j) % 3 == 1;
+        let places: Vec<_> =
+            (0..size).flat_map(|i| (0..size).map(move |j| (i, j))).filter(|&(i, j)| stored(i, j)).collect();
+        for (noisy, keep, storage) in [
+            (false, (true, true), Storage::Full),
+            (true, (true, true), Storage::Full),
+            (true, (true, true), Storage::Undeclared),
+            (false, (true, false), Storage::OneTriangle),
+            (false, (false, true), Storage::OneTriangle),
+            (false, (true, false), Storage::Undeclared),
+        ] {
+            let mut list: Vec<_> = places
+                .iter()
+                .filter(|&&(i, j)| i == j || if i > j { keep.0 } else { keep.1 })
+                .map(|&(i, j)| (i, j, value(i, j) * if noisy { noise(i, j) } else { 1.0 }))
+                .collect();
+            let general = columns(&list, size as usize).united(storage, path).unwrap();
+            for turn in 0..3 {
+                match turn {
+                    0 => {}
+                    1 => list.sort_by_key(|entry| (entry.1, entry.0)),
+                    _ => list.rotate_left(5),
+                }
+                let short = columns(&list, size as usize).symmetric(storage, path).unwrap();
+                assert_eq!(short.col_ptr(), general.col_ptr());
+                assert_eq!(short.row_idx(), general.row_idx());
+                let bits =
+                    |matrix: &SparseMatrix| matrix.val().iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+                assert_eq!(bits(&short), bits(&general));
+            }
+        }
     }
 }
