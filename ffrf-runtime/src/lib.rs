@@ -3,6 +3,7 @@
 //! - [`FlexibleBody`] is what the generator implements: kernels, resolved in the body frame.
 //! - [`FreeBody`] is a body with [`State`] and time; it steps under a [`Load`] and knows its energy and momentum.
 //! - [`step_rk4`] is explicit (order 4), [`step_linearly_implicit`] is for stiff modes (order 2).
+//! - [`Marker`] is a point where forces act and joints hold, with its Jacobians; [`LeverArm`] says about which position.
 //! - [`forms`] makes the inertial and the Euler-parameter form of the equations out of the kernels' one.
 //! - [`rotation`] states the one convention of rotations.
 //!
@@ -32,6 +33,7 @@ pub mod generated_support;
 mod jacobians;
 #[doc(hidden)]
 pub mod lanes;
+mod lever_arm;
 mod linearly_implicit;
 mod load;
 mod marker;
@@ -44,6 +46,7 @@ mod step;
 pub use flexible_body::{EquationsOfMotion, FlexibleBody};
 pub use free_body::FreeBody;
 pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};
+pub use lever_arm::LeverArm;
 pub use linearly_implicit::step_linearly_implicit;
 pub use load::{Frame, Gravity, Load, MarkerLoad};
 pub use marker::Marker;

@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, SVector, Vector3};
 
-use crate::{FlexibleBody, Marker, State};
+use crate::{FlexibleBody, LeverArm, Marker, State};
 
 /// Something that adds to the generalised force [f̄; τ; f] of a body of type `B`.
 ///
@@ -95,17 +95,25 @@ pub struct MarkerLoad<const M: usize, T = f64> {
     pub moment: Vector3<T>,
     /// The frame of both.
     pub frame: Frame,
+    /// Which position of the marker the force turns the body about.
+    pub lever_arm: LeverArm,
 }
 
 impl<const M: usize, T: RealField + Copy> MarkerLoad<M, T> {
     /// A force at `marker`, in N.
     pub fn force(marker: Marker<M, T>, force: Vector3<T>, frame: Frame) -> Self {
-        Self { marker, force, moment: Vector3::zeros(), frame }
+        Self { marker, force, moment: Vector3::zeros(), frame, lever_arm: LeverArm::Deformed }
     }
 
     /// A moment at `marker`, in N m.
     pub fn moment(marker: Marker<M, T>, moment: Vector3<T>, frame: Frame) -> Self {
-        Self { marker, force: Vector3::zeros(), moment, frame }
+        Self { marker, force: Vector3::zeros(), moment, frame, lever_arm: LeverArm::Deformed }
+    }
+
+    /// The same load with another lever arm; [`LeverArm::Deformed`] if nothing is said.
+    #[must_use]
+    pub fn with_lever_arm(self, lever_arm: LeverArm) -> Self {
+        Self { lever_arm, ..self }
     }
 }
 
@@ -118,7 +126,11 @@ where
             Frame::Inertial => (state.to_body(&self.force), state.to_body(&self.moment)),
             Frame::Body => (self.force, self.moment),
         };
-        *force += body.marker_force(&self.marker, &state.modal_coordinates, &marker_force);
+        let q = &state.modal_coordinates;
+        *force += match self.lever_arm {
+            LeverArm::Deformed => body.marker_force(&self.marker, q, &marker_force),
+            LeverArm::Undeformed => self.marker.force_about(q, &marker_force, LeverArm::Undeformed),
+        };
         *force += body.marker_moment(&self.marker, &moment);
     }
 }

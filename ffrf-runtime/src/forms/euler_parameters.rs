@@ -51,6 +51,22 @@ impl<const P: usize, T: RealField + Copy> EulerParameterForm<P, T> {
         result
     }
 
+    /// A J Z: Jacobian in [p; θ; q], of an inertial vector, from the body-resolved Jacobian J in [v; ω; q̇].
+    ///
+    /// [`Marker::position_jacobian`](crate::Marker::position_jacobian) is this of
+    /// [`Marker::velocity_jacobian`](crate::Marker::velocity_jacobian). Shape: 3 x P. Source: (215). Panics: never.
+    pub fn jacobian<const N: usize>(
+        orientation: &UnitQuaternion<T>,
+        body: &SMatrix<T, 3, N>,
+    ) -> SMatrix<T, 3, P> {
+        let inertial = orientation.to_rotation_matrix().matrix() * body;
+        let mut jacobian = SMatrix::<T, 3, P>::zeros();
+        for (mut target, row) in jacobian.row_iter_mut().zip(inertial.row_iter()) {
+            target.copy_from(&Self::force(orientation, &row.transpose()).transpose());
+        }
+        jacobian
+    }
+
     /// y = [p̈; θ̈; q̈] of the body-resolved accelerations [Aᵀp̈; ω̇; q̈], with θ̈ = ¼ Ḡᵀ ω̇ - (θ̇·θ̇) θ.
     ///
     /// Shape: P. `rate` is θ̇. Panics: never.

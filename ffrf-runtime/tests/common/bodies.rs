@@ -27,6 +27,12 @@ pub fn cloud<const M: usize, const N: usize>(
     (NaiveBody::new(&point_mass_invariants(&masses, &markers, stiffness, damping)), markers)
 }
 
+/// The masses of the points of [`cloud`].
+pub fn cloud_masses(seed: u64) -> [f64; 8] {
+    let mut random = Sequence(seed);
+    core::array::from_fn(|_| 1.0 + 0.5 * random.next())
+}
+
 /// ∫ρ becomes a sum over points with these masses.
 fn point_mass_invariants<const M: usize>(
     masses: &[f64; 8],
