@@ -11,6 +11,9 @@ mod free_free_m3;
 #[rustfmt::skip]
 #[path = "golden/general_m2.rs"]
 mod general_m2;
+#[rustfmt::skip]
+#[path = "golden/generic_m2.rs"]
+mod generic_m2;
 #[path = "../ffrf-runtime/tests/common/naive_body.rs"]
 mod naive_body;
 #[rustfmt::skip]
@@ -78,6 +81,8 @@ fn compiled_code_agrees_with_the_naive_form_and_with_the_interpreter() {
     witness::check::<0, 6, _>(&rigid::RigidBody, &body, &kernels, true);
     let (kernels, body) = find("general_m2");
     witness::check::<2, 8, _>(&general_m2::GeneralBody, &body, &kernels, true);
+    let (kernels, body) = find("generic_m2");
+    witness::check::<2, 8, _>(&generic_m2::GenericBody, &body, &kernels, true);
     let (kernels, body) = find("normalised_m3");
     witness::check::<3, 9, _>(&normalised_m3::NormalisedBody, &body, &kernels, true);
     let (kernels, body) = find("free_free_m3");

@@ -10,37 +10,64 @@ pub enum ScalarType {
     F64,
     /// Single precision: the constants are rounded once, from their double-precision values.
     F32,
+    /// Every number type of nalgebra: f64, f32, dual numbers. The constants are kept in double precision.
+    Generic,
 }
 
 impl ScalarType {
     /// Every type, the default first.
-    pub const ALL: [Self; 2] = [Self::F64, Self::F32];
+    pub const ALL: [Self; 3] = [Self::F64, Self::F32, Self::Generic];
 
     /// The type of that name, if there is one.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|scalar| scalar.name() == name)
     }
 
-    /// The Rust name of the type.
+    /// The name by which the macro and the command line know the type.
     pub fn name(self) -> &'static str {
         match self {
             Self::F64 => "f64",
             Self::F32 => "f32",
+            Self::Generic => "generic",
         }
     }
 
-    /// Size of a number. Units: bytes.
+    /// The Rust name of the type of values.
+    pub(crate) fn type_name(self) -> &'static str {
+        match self {
+            Self::Generic => "T",
+            plain => plain.name(),
+        }
+    }
+
+    /// The Rust name of the type of constants.
+    pub(crate) fn constant_type_name(self) -> &'static str {
+        match self {
+            Self::Generic => "f64",
+            plain => plain.name(),
+        }
+    }
+
+    /// What stands after the name of a function or after `impl`.
+    pub(crate) fn generics(self) -> &'static str {
+        match self {
+            Self::Generic => "<T: support::Number>",
+            _ => "",
+        }
+    }
+
+    /// Size of a constant. Units: bytes.
     pub(crate) fn bytes(self) -> usize {
         match self {
-            Self::F64 => 8,
+            Self::F64 | Self::Generic => 8,
             Self::F32 => 4,
         }
     }
 
-    /// Whether a number is finite in this type.
+    /// Whether a constant is finite in this type.
     pub fn is_finite(self, value: f64) -> bool {
         match self {
-            Self::F64 => value.is_finite(),
+            Self::F64 | Self::Generic => value.is_finite(),
             Self::F32 => (value as f32).is_finite(),
         }
     }

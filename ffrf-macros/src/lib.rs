@@ -17,7 +17,7 @@ use proc_macro::TokenStream;
 ///     pub struct Rotor {
 ///         model: "models/rotor.ffrf.json",   // relative to the folder of Cargo.toml
 ///         modes: ..8,                        // optional: use the first 8 modes only
-///         scalar: f64,                       // optional: f64 (default) or f32
+///         scalar: f64,                       // optional: f64 (default), f32 or generic
 ///         fidelity: full,                    // optional: rigid, constant, linear, full, or a list of energy terms
 ///         jacobians: true,                   // optional: implement ffrf::FlexibleBodyJacobians as well
 ///         fma: auto,                         // optional: auto (default), on, off
@@ -29,6 +29,11 @@ use proc_macro::TokenStream;
 ///
 /// The result is a unit struct that implements `ffrf::FlexibleBody<M, N, scalar>`, with a constant for each marker
 /// of the model. When the model file changes, the crate is rebuilt.
+///
+/// With `scalar: generic` it implements that trait for every real number type of nalgebra: f64, f32, and dual numbers
+/// such as those of the crate num-dual, through which kernels and whole simulations can be differentiated. Constants
+/// stay f64; products and sums are not contracted, and lanes do not use the processor's registers, so f64 or f32 is
+/// the choice for speed.
 ///
 /// Without a model the invariants are supplied at run time; what the layout says is zero or one is no field of the
 /// struct and costs nothing:

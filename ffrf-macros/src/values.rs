@@ -60,7 +60,7 @@ pub(crate) fn model(field: &Field) -> syn::Result<LitStr> {
 }
 
 pub(crate) fn scalar(field: &Field) -> syn::Result<ScalarType> {
-    word(field, "f64 or f32", &ScalarType::ALL.map(|scalar| (scalar.name(), scalar)))
+    word(field, "f64, f32 or generic", &ScalarType::ALL.map(|scalar| (scalar.name(), scalar)))
 }
 
 pub(crate) fn fused_multiply_add(field: &Field) -> syn::Result<FusedMultiplyAdd> {

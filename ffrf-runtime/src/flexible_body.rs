@@ -123,20 +123,15 @@ pub trait FlexibleBody<const M: usize, const N: usize, T = f64> {
         Vector3::new(along_y[5], -along_x[5], along_x[4])
     }
 
-    /// The markers that the model names. Generated bodies have each of them as a constant as well.
-    fn markers(&self) -> &'static [(&'static str, Marker<M, T>)]
-    where
-        T: 'static,
-    {
+    /// The names of the markers in the model. Generated bodies have each marker as a constant as well.
+    fn marker_names(&self) -> &'static [&'static str] {
         &[]
     }
 
-    /// The marker called `name`, or `None`. Linear search: look markers up before the simulation starts.
-    fn marker(&self, name: &str) -> Option<&'static Marker<M, T>>
-    where
-        T: 'static,
-    {
-        self.markers().iter().find(|(found, _)| *found == name).map(|(_, marker)| marker)
+    /// The marker called `name`, or `None`. A search by name: look markers up before the simulation starts.
+    fn marker(&self, name: &str) -> Option<Marker<M, T>> {
+        let _ = name;
+        None
     }
 
     /// Position of a marker from the frame origin, see [`Marker::position`]. Shape: 3. Units: m. Frame: body.

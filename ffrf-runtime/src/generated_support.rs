@@ -4,7 +4,18 @@
 
 pub use crate::lanes;
 
-use nalgebra::{ArrayStorage, ComplexField, SMatrix, SVector};
+use nalgebra::{ArrayStorage, ComplexField, RealField, SMatrix, SVector};
+
+/// A number type that generic kernels compute with.
+pub trait Number: RealField + Copy {}
+
+impl<T: RealField + Copy> Number for T {}
+
+/// A constant of a generic kernel.
+#[inline(always)]
+pub fn constant<T: Number>(value: f64) -> T {
+    nalgebra::convert(value)
+}
 
 /// a b + c, fused where the target does that in hardware, otherwise a product and a sum.
 ///
@@ -27,6 +38,12 @@ pub fn fused_multiply_add_f32(a: f32, b: f32, c: f32) -> f32 {
     return a * b + c;
 }
 
+/// a b + c in any number type: a product and a sum.
+#[inline(always)]
+pub fn fused_multiply_add_of<T: Number>(a: T, b: T, c: T) -> T {
+    a * b + c
+}
+
 /// a b + c rounded once on every target, in software where there is no instruction.
 #[inline(always)]
 pub fn always_fused_multiply_add(a: f64, b: f64, c: f64) -> f64 {
@@ -39,6 +56,12 @@ pub fn always_fused_multiply_add_f32(a: f32, b: f32, c: f32) -> f32 {
     ComplexField::mul_add(a, b, c)
 }
 
+/// [`always_fused_multiply_add`] in any number type, as far as that type has it.
+#[inline(always)]
+pub fn always_fused_multiply_add_of<T: Number>(a: T, b: T, c: T) -> T {
+    ComplexField::mul_add(a, b, c)
+}
+
 /// Square root, from `std` or `libm`.
 #[inline(always)]
 pub fn square_root(x: f64) -> f64 {
@@ -48,6 +71,12 @@ pub fn square_root(x: f64) -> f64 {
 /// Square root in single precision, from `std` or `libm`.
 #[inline(always)]
 pub fn square_root_f32(x: f32) -> f32 {
+    ComplexField::sqrt(x)
+}
+
+/// Square root in any number type.
+#[inline(always)]
+pub fn square_root_of<T: Number>(x: T) -> T {
     ComplexField::sqrt(x)
 }
 

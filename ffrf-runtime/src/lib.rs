@@ -12,7 +12,7 @@
 //! Features: `std` (default) takes float functions from the standard library, `libm` from the crate of that
 //! name, for targets without one. At least one of the two is needed.
 //!
-//! Current limitations: one body at a time, without joints; fixed steps; f64 and f32.
+//! Current limitations: one body at a time, without joints; fixed steps.
 #![no_std]
 #![forbid(unsafe_code)]
 

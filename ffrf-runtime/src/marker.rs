@@ -16,6 +16,20 @@ pub struct Marker<const M: usize, T = f64> {
     pub rotation: [[T; 3]; M],
 }
 
+impl<const M: usize> Marker<M, f64> {
+    /// The marker in another number type: of a generic body, whose constants are f64, for dual numbers, say.
+    ///
+    /// Panics: never.
+    pub fn cast<T: RealField + Copy>(&self) -> Marker<M, T> {
+        let vector = |numbers: [f64; 3]| numbers.map(nalgebra::convert);
+        Marker {
+            position: vector(self.position),
+            translation: self.translation.map(vector),
+            rotation: self.rotation.map(vector),
+        }
+    }
+}
+
 impl<const M: usize, T: RealField + Copy> Marker<M, T> {
     /// A marker on the rigid part of a body: the modes do not move it.
     ///

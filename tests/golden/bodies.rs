@@ -32,6 +32,11 @@ pub fn all() -> Vec<(&'static str, ReducedBody, GenerateOptions)> {
             },
         ),
         (
+            "generic_m2",
+            random_body(8, 2, Modes::Normalised),
+            GenerateOptions { scalar: ScalarType::Generic, ..options("GenericBody") },
+        ),
+        (
             "constant_m2",
             random_body(6, 2, Modes::Random),
             GenerateOptions { fidelity: Fidelity::Constant, ..options("ConstantBody") },

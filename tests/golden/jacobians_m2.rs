@@ -2289,12 +2289,17 @@ const _: () = {
         }
 
         #[inline]
-        fn markers(&self) -> &'static [(&'static str, ::ffrf::Marker<2, f64>)] {
-            const MARKERS: &[(&str, ::ffrf::Marker<2, f64>)] = &[
-                ("tip", JacobianBody::TIP),
-                ("root", JacobianBody::ROOT),
-            ];
-            MARKERS
+        fn marker_names(&self) -> &'static [&'static str] {
+            &["tip", "root"]
+        }
+
+        #[inline]
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<2, f64>> {
+            match name {
+                "tip" => ::core::option::Option::Some(JacobianBody::TIP),
+                "root" => ::core::option::Option::Some(JacobianBody::ROOT),
+                _ => ::core::option::Option::None,
+            }
         }
     }
 

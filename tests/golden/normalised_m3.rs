@@ -1404,12 +1404,17 @@ const _: () = {
         }
 
         #[inline]
-        fn markers(&self) -> &'static [(&'static str, ::ffrf::Marker<3, f64>)] {
-            const MARKERS: &[(&str, ::ffrf::Marker<3, f64>)] = &[
-                ("tip", NormalisedBody::TIP),
-                ("root", NormalisedBody::ROOT),
-            ];
-            MARKERS
+        fn marker_names(&self) -> &'static [&'static str] {
+            &["tip", "root"]
+        }
+
+        #[inline]
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<3, f64>> {
+            match name {
+                "tip" => ::core::option::Option::Some(NormalisedBody::TIP),
+                "root" => ::core::option::Option::Some(NormalisedBody::ROOT),
+                _ => ::core::option::Option::None,
+            }
         }
     }
 };

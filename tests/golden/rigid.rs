@@ -518,12 +518,17 @@ const _: () = {
         }
 
         #[inline]
-        fn markers(&self) -> &'static [(&'static str, ::ffrf::Marker<0, f64>)] {
-            const MARKERS: &[(&str, ::ffrf::Marker<0, f64>)] = &[
-                ("tip", RigidBody::TIP),
-                ("root", RigidBody::ROOT),
-            ];
-            MARKERS
+        fn marker_names(&self) -> &'static [&'static str] {
+            &["tip", "root"]
+        }
+
+        #[inline]
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<0, f64>> {
+            match name {
+                "tip" => ::core::option::Option::Some(RigidBody::TIP),
+                "root" => ::core::option::Option::Some(RigidBody::ROOT),
+                _ => ::core::option::Option::None,
+            }
         }
     }
 };

@@ -1234,12 +1234,17 @@ const _: () = {
         }
 
         #[inline]
-        fn markers(&self) -> &'static [(&'static str, ::ffrf::Marker<3, f32>)] {
-            const MARKERS: &[(&str, ::ffrf::Marker<3, f32>)] = &[
-                ("tip", SingleBody::TIP),
-                ("root", SingleBody::ROOT),
-            ];
-            MARKERS
+        fn marker_names(&self) -> &'static [&'static str] {
+            &["tip", "root"]
+        }
+
+        #[inline]
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<3, f32>> {
+            match name {
+                "tip" => ::core::option::Option::Some(SingleBody::TIP),
+                "root" => ::core::option::Option::Some(SingleBody::ROOT),
+                _ => ::core::option::Option::None,
+            }
         }
     }
 };

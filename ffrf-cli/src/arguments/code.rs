@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn mistakes_are_answered_with_what_is_known() {
         let cases = [
-            ("b --scalar f16", "[possible values: f64, f32]"),
+            ("b --scalar f16", "[possible values: f64, f32, generic]"),
             ("b --strategy fast", "[possible values: auto, straight_line, lanes]"),
             ("b --fma maybe", "[possible values: auto, on, off]"),
             ("b --fidelity quadratic", "rigid, constant, linear, full, or a list of terms (translation, "),

@@ -30,6 +30,9 @@ impl Text {
     }
 
     pub(super) fn number(value: f64, scalar: ScalarType) -> Self {
+        if scalar == ScalarType::Generic {
+            return Self::atom(format!("constant({})", literal(value, scalar)));
+        }
         let binding = if value < 0.0 { Binding::Sign } else { Binding::Atom };
         Self { text: literal(value, scalar), binding }
     }

@@ -42,6 +42,9 @@ pub(super) fn function(kernel: &ValidKernel, style: FunctionStyle<'_>, indent: &
     for (argument, pattern) in statements.patterns() {
         lines.push(format!("    let {pattern} = *{};", argument_name(argument)));
     }
+    if statements.has_generic_constants() {
+        lines.push("    let constant = support::constant::<T>;".to_owned());
+    }
     for section in statements.sections {
         if !section.name.is_empty() {
             lines.push(String::new());
@@ -74,7 +77,7 @@ fn argument_name(argument: Argument) -> &'static str {
 }
 
 fn shape_type(shape: OutputShape, scalar: ScalarType) -> String {
-    let scalar = scalar.name();
+    let scalar = scalar.type_name();
     match shape {
         OutputShape::Scalar => scalar.to_owned(),
         OutputShape::Vector(size) => format!("[{scalar}; {size}]"),
@@ -93,7 +96,7 @@ fn signature(kernel: &Kernel, style: FunctionStyle<'_>, used: &[Symbol]) -> Stri
         let size = argument.size(kernel.mode_count);
         let is_used = (0..size).any(|k| used.contains(&argument.symbol(k)));
         let unused = if is_used { "" } else { "_" };
-        inputs.push(format!("{unused}{}: &[{}; {size}]", argument_name(*argument), style.scalar.name()));
+        inputs.push(format!("{unused}{}: &[{}; {size}]", argument_name(*argument), style.scalar.type_name()));
     }
     let outputs = kernel.kind.outputs(kernel.mode_count);
     let types: Vec<_> = outputs.iter().map(|shape| shape_type(*shape, style.scalar)).collect();
@@ -101,7 +104,7 @@ fn signature(kernel: &Kernel, style: FunctionStyle<'_>, used: &[Symbol]) -> Stri
         [single] => single.clone(),
         several => format!("({})", several.join(", ")),
     };
-    let name = kernel.kind.name();
+    let name = format!("{}{}", kernel.kind.name(), style.scalar.generics());
     let line = format!("fn {name}({}) -> {result} {{", inputs.join(", "));
     if line.len() <= LINE_WIDTH - 4 {
         return line;
@@ -153,10 +156,14 @@ impl<'a> Statements<'a> {
             let text = match node {
                 Node::Symbol(symbol) => {
                     self.used.push(symbol);
-                    Text::atom(super::parameters::place(
-                        symbol,
-                        self.style.parameters.map(|(_, layout)| layout),
-                    ))
+                    let place =
+                        super::parameters::place(symbol, self.style.parameters.map(|(_, layout)| layout));
+                    match self.style.scalar {
+                        ScalarType::Generic if symbol.is_parameter() => {
+                            Text::atom(format!("constant({place})"))
+                        }
+                        _ => Text::atom(place),
+                    }
                 }
                 _ => {
                     let operands: Vec<Text> =
@@ -191,6 +198,12 @@ impl<'a> Statements<'a> {
             self.sections.len() - 1
         });
         &mut self.sections[position]
+    }
+
+    /// Whether constants are turned into values of a generic type.
+    fn has_generic_constants(&self) -> bool {
+        let lines = self.sections.iter().flat_map(|section| &section.lines).chain(&self.results);
+        self.style.scalar == ScalarType::Generic && lines.into_iter().any(|line| line.contains("constant("))
     }
 
     /// One destructuring pattern per argument that is used.

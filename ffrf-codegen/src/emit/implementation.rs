@@ -8,6 +8,7 @@ pub(super) fn imports(options: &GenerateOptions) -> [(String, String); 2] {
     let suffix = match options.scalar {
         ScalarType::F64 => "",
         ScalarType::F32 => "_f32",
+        ScalarType::Generic => "_of",
     };
     let fused = match options.fused_multiply_add {
         FusedMultiplyAdd::On => "always_fused_multiply_add",
@@ -23,7 +24,7 @@ pub(super) fn imports(options: &GenerateOptions) -> [(String, String); 2] {
     ]
 }
 
-/// `impl FlexibleBody<M, N, scalar> for NAME`.
+/// `impl FlexibleBody<M, N, scalar> for NAME`; for every scalar if the body is generic.
 pub(super) fn implementation(
     options: &GenerateOptions,
     mode_count: usize,
@@ -31,14 +32,14 @@ pub(super) fn implementation(
     extra_methods: &str,
 ) -> String {
     let size = 6 + mode_count;
-    let scalar = options.scalar.name();
+    let (scalar, generics) = (options.scalar.type_name(), options.scalar.generics());
     let methods = |kinds: &[KernelKind]| {
         let method = |kind: &KernelKind| method(*kind, mode_count, scalar, has_parameters);
         kinds.iter().map(method).collect::<Vec<String>>().join("\n")
     };
     let mut text = format!(
         "    #[automatically_derived]
-    impl ::ffrf::FlexibleBody<{mode_count}, {size}, {scalar}> for {} {{
+    impl{generics} ::ffrf::FlexibleBody<{mode_count}, {size}, {scalar}> for {} {{
 {}{extra_methods}    }}
 ",
         options.name,
@@ -48,7 +49,7 @@ pub(super) fn implementation(
         text.push_str(&format!(
             "
     #[automatically_derived]
-    impl ::ffrf::FlexibleBodyJacobians<{mode_count}, {size}, {scalar}> for {} {{
+    impl{generics} ::ffrf::FlexibleBodyJacobians<{mode_count}, {size}, {scalar}> for {} {{
 {}    }}
 ",
             options.name,

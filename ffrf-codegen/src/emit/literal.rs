@@ -1,11 +1,11 @@
-//! Numbers as Rust literals: the shortest text that reads back to the same bits.
+//! Constants as Rust literals: the shortest text that reads back to the same bits.
 
 use crate::ScalarType;
 
 /// The literal of a finite number, with its sign.
 pub(crate) fn literal(value: f64, scalar: ScalarType) -> String {
     match scalar {
-        ScalarType::F64 => format!("{value:?}"),
+        ScalarType::F64 | ScalarType::Generic => format!("{value:?}"),
         ScalarType::F32 => format!("{:?}", value as f32),
     }
 }

@@ -8,8 +8,8 @@ use ffrf_model::{Marker, ReducedBody, Vector3};
 use super::function::bracketed;
 use super::literal::literal;
 use super::structure::{constants, visibility};
-use crate::GenerateOptions;
 use crate::report::Report;
+use crate::{GenerateOptions, ScalarType};
 
 /// `impl NAME { ... }` with one constant per number and marker.
 pub(super) fn inherent_constants(body: &ReducedBody, report: &Report, options: &GenerateOptions) -> String {
@@ -25,22 +25,36 @@ pub(super) fn inherent_constants(body: &ReducedBody, report: &Report, options: &
     )
 }
 
-/// The method `markers` of the trait.
-pub(super) fn trait_method(body: &ReducedBody, options: &GenerateOptions) -> String {
-    let modes = body.mode_count();
-    let marker = format!("::ffrf::Marker<{modes}, {}>", options.scalar.name());
+/// The methods of the trait that know markers by name.
+pub(super) fn trait_methods(body: &ReducedBody, options: &GenerateOptions) -> String {
+    if body.markers.is_empty() {
+        return String::new();
+    }
+    let marker = format!("::ffrf::Marker<{}, {}>", body.mode_count(), options.scalar.type_name());
+    let names: Vec<String> = body.markers.iter().map(|marker| format!("{:?}", marker.name)).collect();
+    let names = bracketed(&names, "            ").join("\n");
     let mut text = format!(
         "
         #[inline]
-        fn markers(&self) -> &'static [(&'static str, {marker})] {{
-            const MARKERS: &[(&str, {marker})] = &["
+        fn marker_names(&self) -> &'static [&'static str] {{
+            &{}
+        }}
+
+        #[inline]
+        fn marker(&self, name: &str) -> ::core::option::Option<{marker}> {{
+            match name {{
+",
+        names.trim_start()
     );
-    let names = constant_names(body);
-    for (marker, name) in body.markers.iter().zip(&names) {
-        let _ = write!(text, "\n                ({:?}, {}::{name}),", marker.name, options.name);
+    let cast = if options.scalar == ScalarType::Generic { ".cast()" } else { "" };
+    for (marker, name) in body.markers.iter().zip(&constant_names(body)) {
+        let _ = writeln!(
+            text,
+            "                {:?} => ::core::option::Option::Some({}::{name}{cast}),",
+            marker.name, options.name
+        );
     }
-    let end = if names.is_empty() { "];" } else { "\n            ];" };
-    let _ = writeln!(text, "{end}\n            MARKERS\n        }}");
+    text.push_str("                _ => ::core::option::Option::None,\n            }\n        }\n");
     text
 }
 
@@ -70,7 +84,7 @@ fn constant_names(body: &ReducedBody) -> Vec<String> {
 }
 
 fn marker_constant(marker: &Marker, name: &str, modes: usize, options: &GenerateOptions) -> String {
-    let scalar = options.scalar.name();
+    let scalar = options.scalar.constant_type_name();
     let visibility = visibility(options);
     let vector = |vector: &Vector3| {
         let entries = vector.map(|value| literal(value, options.scalar));

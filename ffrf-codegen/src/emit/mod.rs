@@ -38,7 +38,7 @@ pub(crate) fn baked_body(
     text.push_str(&markers::inherent_constants(body, report, options));
     text.push('\n');
     let mut methods = lanes.map_or_else(String::new, |lanes| lanes::trait_method(lanes, options.scalar));
-    methods.push_str(&markers::trait_method(body, options));
+    methods.push_str(&markers::trait_methods(body, options));
     text.push_str(&kernels_block(kernels, lanes, options, None, &methods));
     text
 }

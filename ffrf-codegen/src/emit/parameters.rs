@@ -51,7 +51,7 @@ pub(super) fn parameter_struct(mode_count: usize, layout: &Layout, options: &Gen
     let visibility = visibility(options);
     let _ = writeln!(text, "#[derive(Debug, Clone, Copy, PartialEq)]");
     let _ = writeln!(text, "{visibility}struct {} {{", options.name);
-    for (name, shape, documentation) in fields(mode_count, layout, options.scalar.name()) {
+    for (name, shape, documentation) in fields(mode_count, layout, options.scalar.constant_type_name()) {
         let _ = writeln!(text, "    /// {documentation}");
         let _ = writeln!(text, "    pub {name}: {shape},");
     }

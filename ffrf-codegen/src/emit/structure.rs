@@ -61,7 +61,7 @@ pub(super) fn constants(
         })
         .collect();
     let list = bracketed(&frequencies, "    ").join("\n");
-    let scalar = options.scalar.name();
+    let scalar = options.scalar.constant_type_name();
     let mass = literal(body.inertia.mass, options.scalar);
     let mut constants = vec![
         (

@@ -27,76 +27,152 @@ pub(crate) fn functions(
     document: impl Fn(KernelKind) -> Vec<String>,
 ) -> String {
     let mut text = statics(tables, scalar);
-    let (modes, size, scalar) = (tables.modes, 6 + tables.modes, scalar.name());
+    let (modes, size, groups) = (tables.modes, 6 + tables.modes, tables.groups);
+    let (name, generics) = (scalar.type_name(), scalar.generics());
     let (coordinates, space, vector) =
-        (format!("&[{scalar}; {modes}]"), format!("&[{scalar}; 3]"), format!("[{scalar}; {size}]"));
+        (format!("&[{name}; {modes}]"), format!("&[{name}; 3]"), format!("[{name}; {size}]"));
+    let form = Form::of(scalar);
+    let [q, q_dot, velocity, omega] = ["q", "q_dot", "velocity", "omega"].map(|name| form.input(name));
     let net = match tables.internal {
-        Some(_) => "q, q_dot, force",
-        None => "q, q_dot, &support::lanes::net_force(force, &internal_force(q, q_dot))",
+        Some(_) => form.input("force"),
+        None => {
+            let internal = form.input("&internal_force(q, q_dot)");
+            format!("&support::lanes::net_force({}, {internal})", form.input("force"))
+        }
     };
     // Few modes: one function is fastest. Many: what all kernels share is kept once.
     let inline = if modes <= LARGEST_INLINE { "#[inline(always)]" } else { "#[inline(never)]" };
-    let groups = tables.groups;
     let _ = write!(
         text,
         "
     /// What follows from a state before forces are known: deformed invariants and quadratic velocity vector.
     {inline}
-    fn state(
+    fn state{generics}(
         q: {coordinates},
         omega: {space},
         q_dot: {coordinates},
-    ) -> support::lanes::State<{scalar}, {groups}> {{
-        BODY.state(q, *omega, q_dot)
+    ) -> support::lanes::State<{}, {groups}> {{
+        BODY.state({q}, {}, {q_dot})
     }}
-"
+",
+        form.register_scalar(name),
+        form.value("omega")
     );
     for kind in IN_LANES {
         let state = format!("q: {coordinates}, omega: {space}, q_dot: {coordinates}");
         let moving = format!("q: {coordinates}, velocity: {space}, omega: {space}, q_dot: {coordinates}");
         let at = "&state(q, omega, q_dot)";
+        let zero = form.zero();
         let (inputs, result, arguments) = match kind {
             KernelKind::MassMatrix => (
                 format!("q: {coordinates}"),
                 format!("[{vector}; {size}]"),
-                format!("&state(q, &[0.0; 3], &[0.0; {modes}])"),
+                format!("&state(q, &[{zero}; 3], &[{zero}; {modes}])"),
             ),
             KernelKind::QuadraticVelocity => (state, vector.clone(), at.to_owned()),
             KernelKind::ForwardDynamics => {
-                (format!("{state}, force: &{vector}"), vector.clone(), format!("{at}, {net}"))
+                (format!("{state}, force: &{vector}"), vector.clone(), format!("{at}, {q}, {q_dot}, {net}"))
             }
             KernelKind::EquationsOfMotion => (
                 format!("{state}, force: &{vector}"),
                 format!("([{vector}; {size}], {vector}, {vector})"),
-                format!("{at}, {net}"),
+                format!("{at}, {q}, {q_dot}, {net}"),
             ),
             KernelKind::AngularMomentum => {
-                (moving, format!("[{scalar}; 3]"), format!("{at}, velocity, omega"))
+                (moving, format!("[{name}; 3]"), format!("{at}, {velocity}, {omega}"))
             }
-            _ => (moving, scalar.to_owned(), format!("{at}, velocity, omega, q_dot")),
+            _ => (moving, name.to_owned(), format!("{at}, {velocity}, {omega}, {q_dot}")),
         };
         text.push('\n');
         for line in document(kind) {
             let _ = writeln!(text, "    /// {line}");
         }
-        let name = kind.name();
+        let function = kind.name();
         let _ = write!(
             text,
             "    #[inline]
-    fn {name}(
+    fn {function}{generics}(
         {},
     ) -> {result} {{
-        BODY.{name}({arguments})
+        {}
     }}
 ",
-            inputs.replace(", ", ",\n        ").replace(",\n        &", ", &")
+            inputs.replace(", ", ",\n        ").replace(",\n        &", ", &"),
+            form.result(kind, &format!("BODY.{function}({arguments})"))
         );
     }
     text
 }
 
-/// The method of the trait that writes its results in place.
+/// How values get into the loops and out of them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// The scalars of the loops are those of the functions.
+    Plain,
+    /// Any number type is wrapped on its way in and unwrapped on its way out.
+    Wrapped,
+}
+
+impl Form {
+    fn of(scalar: ScalarType) -> Self {
+        if scalar == ScalarType::Generic { Self::Wrapped } else { Self::Plain }
+    }
+
+    /// The scalar type of the loops.
+    fn register_scalar(self, name: &str) -> String {
+        match self {
+            Self::Plain => name.to_owned(),
+            Self::Wrapped => format!("support::lanes::Real<{name}>"),
+        }
+    }
+
+    /// A reference to an array, as an argument of the loops.
+    fn input(self, reference: &str) -> String {
+        match self {
+            Self::Plain => reference.to_owned(),
+            Self::Wrapped => format!("&support::lanes::reals({reference})"),
+        }
+    }
+
+    /// What a reference to an array points to, as an argument of the loops.
+    fn value(self, reference: &str) -> String {
+        match self {
+            Self::Plain => format!("*{reference}"),
+            Self::Wrapped => format!("support::lanes::reals({reference})"),
+        }
+    }
+
+    fn zero(self) -> &'static str {
+        match self {
+            Self::Plain => "0.0",
+            Self::Wrapped => "support::constant(0.0)",
+        }
+    }
+
+    /// The result of a kernel from that of the loops.
+    fn result(self, kind: KernelKind, call: &str) -> String {
+        match (self, kind) {
+            (Self::Plain, _) => call.to_owned(),
+            (Self::Wrapped, KernelKind::MassMatrix) => format!("{call}.map(support::lanes::numbers)"),
+            (Self::Wrapped, KernelKind::EquationsOfMotion) => format!(
+                "let (mass_matrix, quadratic_velocity, acceleration) = {call};
+        (
+            mass_matrix.map(support::lanes::numbers),
+            support::lanes::numbers(quadratic_velocity),
+            support::lanes::numbers(acceleration),
+        )"
+            ),
+            (Self::Wrapped, KernelKind::KineticEnergy) => format!("{call}.0"),
+            (Self::Wrapped, _) => format!("support::lanes::numbers({call})"),
+        }
+    }
+}
+
+/// The method of the trait that writes its results in place; a generic body has none, as its results are moved anyway.
 pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
+    if scalar == ScalarType::Generic {
+        return String::new();
+    }
     let (modes, size, scalar) = (tables.modes, 6 + tables.modes, scalar.name());
     let vector = |size: usize| format!("&::ffrf::nalgebra::SVector<{scalar}, {size}>");
     let (coordinates, forces) = (vector(modes), vector(size));
@@ -134,7 +210,7 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
 }
 
 fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
-    let (modes, groups, name) = (tables.modes, tables.groups, scalar.name());
+    let (modes, groups, name) = (tables.modes, tables.groups, scalar.constant_type_name());
     let mut text = String::new();
     let mut item = |name: &str, meaning: &str, table: &Table| {
         let (kind, value) = (array_type(table.shape(), scalar), nested(table, 2, scalar));
@@ -212,7 +288,7 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
 
 /// Type and value of the table of moments.
 fn moments(tables: &LaneTables, scalar: ScalarType) -> (String, String) {
-    let (modes, name) = (tables.modes, scalar.name());
+    let (modes, name) = (tables.modes, scalar.constant_type_name());
     let structure = |kind: &str, fields: [(&str, &Table); 2]| {
         let mut text = format!("support::lanes::{kind} {{\n");
         for (field, table) in fields {
@@ -242,7 +318,10 @@ fn moments(tables: &LaneTables, scalar: ScalarType) -> (String, String) {
 
 /// `[[[f64; 4]; 3]; 2]` for the shape 2, 3, 4.
 fn array_type(shape: &[usize], scalar: ScalarType) -> String {
-    shape.iter().rev().fold(scalar.name().to_owned(), |inner, length| format!("[{inner}; {length}]"))
+    shape
+        .iter()
+        .rev()
+        .fold(scalar.constant_type_name().to_owned(), |inner, length| format!("[{inner}; {length}]"))
 }
 
 fn row(numbers: &[f64], scalar: ScalarType) -> String {

@@ -21,6 +21,7 @@ mod full_table;
 mod half_table;
 mod mass_matrix;
 mod moments;
+mod real;
 mod rigid;
 mod scalar;
 mod vector;
@@ -31,6 +32,7 @@ pub use equations::State;
 pub use full_table::FullTable;
 pub use half_table::HalfTable;
 pub use moments::{MomentTable, Moments};
+pub use real::{Real, numbers, reals};
 pub use scalar::Scalar;
 pub use vector::{Four, HasLanes, Lanes};
 

@@ -103,8 +103,7 @@ fn check_markers<B, const M: usize, const N: usize>(
     let velocity = a.transpose() * vector3(&state["v_t"]);
     let find = |node: &Value| {
         let wanted = format!("NODE_{node}");
-        let found = body.markers().iter().find(|(name, _)| *name == wanted);
-        found.expect("a marker for every node that the case names").1
+        body.marker(&wanted).expect("a marker for every node that the case names")
     };
     let marker = find(&state["nodal_force"]["node"]);
     let found = body.marker_force(&marker, q, &(a.transpose() * vector3(&state["nodal_force"]["f"])));
