@@ -5,6 +5,7 @@
 mod dead_code;
 mod factor;
 mod fuse;
+mod order;
 mod rewrite;
 
 pub(crate) use rewrite::use_counts;
@@ -22,5 +23,9 @@ pub fn run(kernel: Kernel, fused_multiply_add: FusedMultiplyAdd) -> Kernel {
         FusedMultiplyAdd::Auto | FusedMultiplyAdd::On => &[fuse::run],
     };
     let passes: &[Pass] = &[dead_code::run, factor::run];
-    passes.iter().chain(fuse).chain(&[dead_code::run as Pass]).fold(kernel, |kernel, pass| pass(kernel))
+    passes
+        .iter()
+        .chain(fuse)
+        .chain(&[dead_code::run as Pass, order::run])
+        .fold(kernel, |kernel, pass| pass(kernel))
 }

@@ -9,15 +9,23 @@ use crate::formulate::Kernel;
 /// go along.
 pub(super) fn rewrite(
     kernel: &Kernel,
-    mut change: impl FnMut(&mut Graph, Node, Expression) -> Expression,
+    change: impl FnMut(&mut Graph, Node, Expression) -> Expression,
 ) -> Kernel {
     let needed = kernel.graph.reachable(&kernel.outputs);
+    let order = kernel.graph.nodes().map(|(old, _)| old).zip(&needed);
+    rewrite_in_order(kernel, order.filter(|(_, needed)| **needed).map(|(old, _)| old), change)
+}
+
+/// [`rewrite`] in another order, which holds every node that the outputs need, behind its operands.
+pub(super) fn rewrite_in_order(
+    kernel: &Kernel,
+    order: impl IntoIterator<Item = Expression>,
+    mut change: impl FnMut(&mut Graph, Node, Expression) -> Expression,
+) -> Kernel {
     let mut graph = Graph::new();
-    let mut renamed: Vec<Option<Expression>> = vec![None; needed.len()];
-    for (old, node) in kernel.graph.nodes().take(needed.len()) {
-        if !needed[old.index()] {
-            continue;
-        }
+    let mut renamed: Vec<Option<Expression>> = vec![None; kernel.graph.len()];
+    for old in order {
+        let node = kernel.graph.node(old);
         // Operands stand before their node and are needed with it.
         let new_name = |operand: Expression| renamed[operand.index()].unwrap_or(operand);
         graph.section(kernel.graph.section_of(old));
