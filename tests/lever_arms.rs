@@ -104,7 +104,7 @@ fn fall<const M: usize, const N: usize>(
 #[test]
 fn the_error_is_the_deflection_over_the_lever_arm() {
     let (rod, random) = (ConnectingRod, RandomBody);
-    let (small_end, tip) = (rod.marker("SMALL_END").unwrap(), random.marker("tip").unwrap());
+    let (small_end, tip) = (&rod.marker("SMALL_END").unwrap(), &random.marker("tip").unwrap());
     println!("|Ψq|/|x|   rod: ω̇   rod: joint   random: ω̇   random: joint   rod falls   random falls");
     let mut rows = Vec::new();
     for ratio in [1e-4, 1e-3, 1e-2, 1e-1] {
