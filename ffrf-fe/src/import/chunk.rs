@@ -1,7 +1,8 @@
-//! The entries of one piece of a file, and what was seen of their order while they were read.
+//! The entries of one piece of a file, and their order.
 
 use super::entries::{ReadIndex, skip_blank_or_comment};
 use super::scan::{Cursor, Defect};
+use super::short;
 
 /// Entries in file order, indices from 0.
 #[derive(Debug, Clone)]
@@ -25,14 +26,14 @@ pub(crate) struct Order {
     pub(crate) above: bool,
     /// One more than the largest index; 0 without entries.
     pub(crate) extent: usize,
-    /// Row and column of the last entry.
-    last: Option<(u32, u32)>,
+    /// Least position that the next entry may have in either order.
+    next: [u64; 2],
 }
 
 impl Default for Order {
     /// The order of no entries.
     fn default() -> Self {
-        Order { by_rows: true, by_columns: true, below: false, above: false, extent: 0, last: None }
+        Order { by_rows: true, by_columns: true, below: false, above: false, extent: 0, next: [0; 2] }
     }
 }
 
@@ -40,11 +41,10 @@ impl Order {
     /// Takes note of the next entry.
     #[inline]
     pub(crate) fn note(&mut self, row: u32, column: u32) {
-        if let Some((last_row, last_column)) = self.last {
-            self.by_rows &= key(last_row, last_column) < key(row, column);
-            self.by_columns &= key(last_column, last_row) < key(column, row);
-        }
-        self.last = Some((row, column));
+        let (by_rows, by_columns) = (position(row, column), position(column, row));
+        self.by_rows &= by_rows >= self.next[0];
+        self.by_columns &= by_columns >= self.next[1];
+        self.next = [by_rows + 1, by_columns + 1];
         self.below |= row > column;
         self.above |= row < column;
         self.extent = self.extent.max(row.max(column) as usize + 1);
@@ -60,14 +60,14 @@ impl Order {
             below: joint.below || rest.below,
             above: joint.above || rest.above,
             extent: joint.extent.max(rest.extent),
-            last: rest.last,
+            next: rest.next,
         }
     }
 }
 
-/// Compares as (major, minor) does.
+/// Compares as (major, minor) does; indices are below 2^32 - 1.
 #[inline]
-fn key(major: u32, minor: u32) -> u64 {
+fn position(major: u32, minor: u32) -> u64 {
     u64::from(major) << 32 | u64::from(minor)
 }
 
@@ -96,22 +96,24 @@ impl Chunk {
         start: usize,
         index: &I,
     ) -> Result<Self, Defect> {
-        let mut cursor = Cursor::new(bytes, start);
-        let mut order = Order::default();
-        while cursor.at < bytes.len() {
-            if skip_blank_or_comment(bytes, &mut cursor) {
-                continue;
-            }
-            let row = index.read(&mut cursor)?;
-            let column = index.read(&mut cursor)?;
-            let value = cursor.float(I::LINE)?;
-            cursor.end_line(I::LINE)?;
-            order.note(row, column);
+        let mut at = start;
+        while at < bytes.len() {
+            let (row, column, value, next) = match short_line(bytes, at, index) {
+                Some(line) => line,
+                None => {
+                    let mut cursor = Cursor::new(bytes, at);
+                    let line = any_line(bytes, &mut cursor, index)?;
+                    at = cursor.at;
+                    let Some((row, column, value)) = line else { continue };
+                    (row, column, value, at)
+                }
+            };
+            at = next;
             self.rows.push(row);
             self.columns.push(column);
             self.values.push(value);
         }
-        self.order = order;
+        self.find_order();
         Ok(self)
     }
 
@@ -124,16 +126,44 @@ impl Chunk {
     }
 
     fn find_order(&mut self) {
-        self.order = Order::default();
+        let mut order = Order::default();
         for (&row, &column) in self.rows.iter().zip(&self.columns) {
-            self.order.note(row, column);
+            order.note(row, column);
         }
+        self.order = order;
     }
 
     /// Row and column of the first entry.
     pub(crate) fn first(&self) -> Option<(u32, u32)> {
         Some((*self.rows.first()?, *self.columns.first()?))
     }
+}
+
+/// Row, column and value of a line that is written as usual, and the offset of the next line.
+#[inline(always)]
+fn short_line<I: ReadIndex>(bytes: &[u8], at: usize, index: &I) -> Option<(u32, u32, f64, usize)> {
+    let (row, at) = index.read_short(bytes, short::token(bytes, at)?)?;
+    let (column, at) = index.read_short(bytes, at)?;
+    let (value, at) = short::last_float(bytes, at)?;
+    Some((row, column, value, at))
+}
+
+/// Row, column and value of any line, `None` for an empty one or a comment; goes to the next line.
+#[cold]
+#[inline(never)]
+fn any_line<I: ReadIndex>(
+    bytes: &[u8],
+    cursor: &mut Cursor<'_>,
+    index: &I,
+) -> Result<Option<(u32, u32, f64)>, Defect> {
+    if skip_blank_or_comment(bytes, cursor) {
+        return Ok(None);
+    }
+    let row = index.read(cursor)?;
+    let column = index.read(cursor)?;
+    let value = cursor.float(I::LINE)?;
+    cursor.end_line(I::LINE)?;
+    Ok(Some((row, column, value)))
 }
 
 #[cfg(test)]

@@ -1,10 +1,14 @@
 //! Decimal digits and a power of ten to the nearest double.
 
-/// Powers of ten that are exact in double precision.
-const EXACT_POWERS: [f64; 23] = [
+/// Powers of ten that are exact in double precision. Static: a constant is copied wherever it is indexed.
+static EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
     1e19, 1e20, 1e21, 1e22,
 ];
+
+/// Fifteen digits are exact as a double. So are some numbers of sixteen, but that these take one way and those
+/// another could not be foreseen by the processor.
+const EXACT_DIGITS: u64 = 1_000_000_000_000_000;
 
 /// Smallest and largest power of ten of [`FIVES`]: 5^54 and 5^55 are the last that the loops below hold.
 const SMALLEST: i32 = -54;
@@ -15,15 +19,14 @@ static FIVES: [u128; (LARGEST - SMALLEST + 1) as usize] = fives();
 
 /// `mantissa` * 10^`power`, correctly rounded; `None` where the table of powers ends.
 ///
-/// One exact multiplication or division rounds correctly up to 2^53 and 10^22 (Clinger, "How to read floating point
+/// One exact multiplication or division of exact numbers rounds correctly (Clinger, "How to read floating point
 /// numbers accurately", 1990). The rest takes the leading bits of `mantissa` * 5^`power` from a table (Lemire,
 /// "Number parsing at a gigabyte per second", 2021); that these bits always decide the rounding is shown by
 /// Mushtak and Lemire, "Fast number parsing without fallback", 2023.
 #[inline(always)]
 pub(crate) fn nearest(mantissa: u64, power: i32) -> Option<f64> {
-    if mantissa <= 1 << 53 && power.unsigned_abs() <= 22 {
+    if mantissa < EXACT_DIGITS && power.unsigned_abs() <= 22 {
         let exact = EXACT_POWERS[power.unsigned_abs() as usize];
-        // The mantissa is exact as a double.
         return Some(if power < 0 { mantissa as i64 as f64 / exact } else { mantissa as i64 as f64 * exact });
     }
     leading_bits(mantissa, power)

@@ -2,6 +2,7 @@
 
 use super::chunk::{Chunk, Order};
 use super::scan::{Cursor, Defect, DefectKind};
+use super::short;
 
 /// Files below this size are read by one thread: starting a thread costs about as much as reading this.
 const PARALLEL_BYTES: usize = 1 << 20;
@@ -20,6 +21,10 @@ pub(crate) trait ReadIndex: Sync {
     /// What a line looks like, for messages.
     const LINE: &'static str;
 
+    /// Reads an index that is written as usual and lies within bounds; returns it counted from 0, and the offset of
+    /// the next token. `None` leaves the line to [`Self::read`].
+    fn read_short(&self, bytes: &[u8], at: usize) -> Option<(u32, usize)>;
+
     /// Reads an index and returns it counted from 0.
     fn read(&self, cursor: &mut Cursor<'_>) -> Result<u32, Defect>;
 }
@@ -33,7 +38,13 @@ pub(crate) struct RowNumber {
 impl ReadIndex for RowNumber {
     const LINE: &'static str = "`row column value`";
 
-    #[inline]
+    #[inline(always)]
+    fn read_short(&self, bytes: &[u8], at: usize) -> Option<(u32, usize)> {
+        let (number, next) = short::index(bytes, at)?;
+        let index = number.wrapping_sub(1);
+        ((index as usize) < self.limit).then_some((index, next))
+    }
+
     fn read(&self, cursor: &mut Cursor<'_>) -> Result<u32, Defect> {
         cursor.skip_separators();
         let at = cursor.at;

@@ -6,6 +6,7 @@ use super::entries::{Entries, ReadIndex, RowNumber, skip_blank_or_comment};
 use super::node_table::NodeLookup;
 use super::raw_matrix::{Numbering, RawMatrix, Storage};
 use super::scan::{Cursor, Defect, DefectKind};
+use super::short;
 use super::source::Source;
 use crate::FeError;
 
@@ -20,7 +21,15 @@ struct LabelAndDirection<'a> {
 impl ReadIndex for LabelAndDirection<'_> {
     const LINE: &'static str = "`node dof node dof value` with dof 1 to 3";
 
-    #[inline]
+    #[inline(always)]
+    fn read_short(&self, bytes: &[u8], at: usize) -> Option<(u32, usize)> {
+        let (label, at) = short::index(bytes, at)?;
+        let (direction, at) = short::index(bytes, at)?;
+        let row = self.nodes.row(label.into())?;
+        // Rows are below 2^32 / 3, see `NodeTable::check_size`.
+        (1..=3).contains(&direction).then(|| (3 * row as u32 + direction - 1, at))
+    }
+
     fn read(&self, cursor: &mut Cursor<'_>) -> Result<u32, Defect> {
         cursor.skip_separators();
         let at = cursor.at;
@@ -31,7 +40,6 @@ impl ReadIndex for LabelAndDirection<'_> {
         cursor.skip_separators();
         let at = cursor.at;
         match cursor.unsigned(Self::LINE)? {
-            // Rows are below 2^32 / 3, see `NodeTable::check_size`.
             direction @ 1..=3 => Ok((3 * row + direction as usize - 1) as u32),
             _ => Err(Defect { at, kind: DefectKind::Expected(Self::LINE) }),
         }

@@ -1,6 +1,7 @@
 //! Readers: files of FE codes to [`FeModel`](crate::FeModel).
 //!
-//! Stages: a file's bytes (`source`, hashed while read) -> numbers (`scan`) -> entries as listed
+//! Stages: a file's bytes (`source`, hashed while read) -> numbers (`short` for ordinary
+//! lines, `scan` for all) -> entries as listed
 //! (`entries`, one reader per format) -> sorted lines (`lines`) -> symmetric sparse matrix (`symmetric`) -> checked model (`model`).
 //!
 //! | Source | Nodes | Matrices |
@@ -46,6 +47,7 @@ mod numpy;
 mod provenance;
 mod raw_matrix;
 mod scan;
+mod short;
 mod source;
 mod symmetric;
 mod text_table;

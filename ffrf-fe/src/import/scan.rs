@@ -1,6 +1,6 @@
 //! Numbers in bytes: a cursor that reads integers and floats without allocating.
 
-use super::{decimal, digits};
+use super::short;
 
 /// What is wrong at a place of a file; turned into an error with the line number by [`super::source::Source`].
 #[derive(Debug, Clone, PartialEq)]
@@ -66,18 +66,13 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    #[inline]
-    fn at_token_end(&self) -> bool {
-        matches!(self.peek(), None | Some(b'\n' | b' ' | b'\t' | b',' | b'\r'))
-    }
-
     /// The rest of the token that starts here.
     fn token(&self) -> &'a [u8] {
-        let mut probe = self.clone();
-        while !probe.at_token_end() {
-            probe.at += 1;
+        let mut end = self.at;
+        while !is_token_end(self.bytes.get(end)) {
+            end += 1;
         }
-        &self.bytes[self.at..probe.at]
+        &self.bytes[self.at..end]
     }
 
     fn defect<T>(&self, kind: DefectKind) -> Result<T, Defect> {
@@ -85,17 +80,14 @@ impl<'a> Cursor<'a> {
     }
 
     /// Reads the next token as a non-negative integer.
-    #[inline]
     pub(crate) fn unsigned(&mut self, expected: &'static str) -> Result<u64, Defect> {
         self.skip_separators();
-        let start = self.at;
-        let (value, end) = digits(self.bytes, start, 0);
-        let digits = end - start;
-        self.at = end;
-        if digits == 0 || digits > 19 || !self.at_token_end() {
-            self.at = start;
+        let (value, end) = short::digits(self.bytes, self.at, 0);
+        let count = end - self.at;
+        if count == 0 || count > 19 || !is_token_end(self.bytes.get(end)) {
             return self.defect(DefectKind::Expected(expected));
         }
+        self.at = end;
         Ok(value)
     }
 
@@ -105,46 +97,13 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub(crate) fn float(&mut self, expected: &'static str) -> Result<f64, Defect> {
         self.skip_separators();
-        let start = self.at;
-        match self.short_float() {
-            Some(value) if self.at_token_end() => Ok(value),
-            _ => {
-                self.at = start;
-                self.long_float(expected)
+        match short::float(self.bytes, self.at) {
+            Some((value, end)) if is_token_end(self.bytes.get(end)) => {
+                self.at = end;
+                Ok(value)
             }
+            _ => self.long_float(expected),
         }
-    }
-
-    /// A number of up to 19 digits, which this moves behind.
-    #[inline(always)]
-    fn short_float(&mut self) -> Option<f64> {
-        let bytes = self.bytes;
-        let (negative, at) = sign(bytes, self.at);
-        let start = at;
-        let (mut mantissa, mut at) = digits(bytes, at, 0);
-        let mut count = at - start;
-        let mut exponent = 0;
-        if bytes.get(at) == Some(&b'.') {
-            let point = at + 1;
-            (mantissa, at) = digits(bytes, point, mantissa);
-            count += at - point;
-            exponent = -((at - point) as i32);
-        }
-        if count == 0 || count > 19 {
-            return None;
-        }
-        if let Some(b'e' | b'E' | b'd' | b'D') = bytes.get(at) {
-            let (down, start) = sign(bytes, at + 1);
-            let power;
-            (power, at) = digits(bytes, start, 0);
-            if at == start || at - start > 4 {
-                return None;
-            }
-            exponent += if down { -(power as i32) } else { power as i32 };
-        }
-        self.at = at;
-        let magnitude = decimal::nearest(mantissa, exponent)?;
-        Some(f64::from_bits(magnitude.to_bits() | u64::from(negative) << 63))
     }
 
     #[cold]
@@ -175,30 +134,9 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// True for a minus, and the offset behind the sign. Without branches, because signs follow no pattern.
-#[inline(always)]
-fn sign(bytes: &[u8], at: usize) -> (bool, usize) {
-    let byte = bytes.get(at).copied().unwrap_or(b' ');
-    (byte == b'-', at + usize::from(byte == b'-' || byte == b'+'))
-}
-
-/// Appends decimal digits to `value`; returns the new value and the offset behind the digits.
-#[inline(always)]
-fn digits(bytes: &[u8], start: usize, mut value: u64) -> (u64, usize) {
-    let mut at = start;
-    while let Some(word) = bytes.get(at..).and_then(|rest| rest.first_chunk()) {
-        let count;
-        (value, count) = digits::append(u64::from_le_bytes(*word), value);
-        at += count;
-        if count < 8 {
-            return (value, at);
-        }
-    }
-    while let Some(byte @ b'0'..=b'9') = bytes.get(at).copied() {
-        value = value.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
-        at += 1;
-    }
-    (value, at)
+#[inline]
+fn is_token_end(byte: Option<&u8>) -> bool {
+    matches!(byte, None | Some(b'\n' | b' ' | b'\t' | b',' | b'\r'))
 }
 
 #[cfg(test)]
