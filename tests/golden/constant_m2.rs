@@ -144,29 +144,29 @@ const _: () = {
         let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(-0.32856429449710967, q_dot1, 0.24002235581153603 * q_dot0);
+        let t1 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t2 = fma(-0.5341019557067384, q_dot1, 0.27176620006200825 * q_dot0);
-        let t3 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t4 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t5 = fma(t2, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t3 = fma(t2, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(-0.32856429449710967, q_dot1, 0.24002235581153603 * q_dot0);
+        let t5 = fma(t4, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (24 operations: 12 multiply-add, 9 multiply, 3 add)
         let modal_spin_x = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
         let modal_spin_y = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0);
         let modal_spin_z = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
         let angular_momentum_x = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
-        let angular_momentum_y = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
-        let angular_momentum_z = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
         let angular_momentum_x = modal_spin_x + fma(-0.5644033827438444, omega_z, angular_momentum_x);
+        let angular_momentum_y = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
         let angular_momentum_y = modal_spin_y + fma(0.035025350693903806, omega_z, angular_momentum_y);
+        let angular_momentum_z = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
         let angular_momentum_z = modal_spin_z + fma(3.7721853033770283, omega_z, angular_momentum_z);
         let t6 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
         let t7 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t8 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
 
         [
-            fma(-omega_z, t4, omega_y * t5), fma(-omega_x, t5, omega_z * t3),
-            fma(-omega_y, t3, omega_x * t4), t6, t7, t8, 0.0, 0.0,
+            fma(-omega_z, t1, omega_y * t3), fma(-omega_x, t3, omega_z * t5),
+            fma(-omega_y, t5, omega_x * t1), t6, t7, t8, 0.0, 0.0,
         ]
     }
 
@@ -188,21 +188,21 @@ const _: () = {
         let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(-0.32856429449710967, q_dot1, 0.24002235581153603 * q_dot0);
+        let t1 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t2 = fma(-0.5341019557067384, q_dot1, 0.27176620006200825 * q_dot0);
-        let t3 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t4 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t5 = fma(t2, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t3 = fma(t2, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(-0.32856429449710967, q_dot1, 0.24002235581153603 * q_dot0);
+        let t5 = fma(t4, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (24 operations: 12 multiply-add, 9 multiply, 3 add)
         let modal_spin_x = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
         let modal_spin_y = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0);
         let modal_spin_z = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
         let angular_momentum_x = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
-        let angular_momentum_y = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
-        let angular_momentum_z = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
         let angular_momentum_x = modal_spin_x + fma(-0.5644033827438444, omega_z, angular_momentum_x);
+        let angular_momentum_y = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
         let angular_momentum_y = modal_spin_y + fma(0.035025350693903806, omega_z, angular_momentum_y);
+        let angular_momentum_z = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
         let angular_momentum_z = modal_spin_z + fma(3.7721853033770283, omega_z, angular_momentum_z);
         let t6 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
         let t7 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
@@ -210,98 +210,98 @@ const _: () = {
 
         // Modal forces f - Q_f - K q - D q̇ (14 operations: 4 multiply-add, 2 multiply, 8 add)
         let t9 = fma(0.41489841370334474, q_dot0, fma(1.2366949220363017, q1, 41.489841370334474 * q0));
-        let t10 = fma(0.7112048333902458, q_dot1, fma(71.12048333902457, q1, 1.2366949220363017 * q0));
         let modal_residual0 = modal_force0 - t9;
+        let t10 = fma(0.7112048333902458, q_dot1, fma(71.12048333902457, q1, 1.2366949220363017 * q0));
         let modal_residual1 = modal_force1 - t10;
 
         // Elimination of the modal accelerations (27 operations: 13 multiply-add, 2 multiply, 12 add)
-        let t11 = modal_residual0 * 0.7026623076098962;
-        let t12 = 0.728533279643454 * fma(-0.42430549003691537, t11, modal_residual1);
-        let t13 = first_moment_z - 0.03851419740938042;
-        let t14 = t13 + 0.034404136302412215;
-        let t15 = first_moment_y + 0.007541969784485981 + 0.03645820876206707;
-        let t16 = first_moment_z - 0.03358452116577598 - 0.07550464880583714;
-        let t17 = first_moment_x - 0.021327326921465925;
-        let t18 = t17 - 0.1075527075299646;
-        let t19 = first_moment_y + 0.013447181620136492;
-        let t20 = t19 + 0.03934744538491937;
-        let t21 = first_moment_x + 0.04360784245699124 - 0.05289072611699614;
-        let reduced_force_x = fma(-0.1686546624124975, t11, force_x - fma(-omega_z, t4, omega_y * t5));
-        let reduced_force_x = fma(0.2915046653256301, t12, reduced_force_x);
-        let reduced_force_y = fma(-0.4769248916244436, t11, force_y - fma(-omega_x, t5, omega_z * t3));
-        let reduced_force_y = fma(0.8599466917861309, t12, reduced_force_y);
-        let reduced_force_z = fma(-0.19095986526594344, t11, force_z - fma(-omega_y, t3, omega_x * t4));
-        let reduced_force_z = fma(0.44814069099253945, t12, reduced_force_z);
-        let reduced_moment_x = fma(-0.08780154575513523, t12, fma(0.07041888933786715, t11, moment_x - t6));
-        let reduced_moment_y = fma(-0.11802259241367719, t12, fma(-0.22836129673772051, t11, moment_y - t7));
-        let reduced_moment_z = fma(0.12506904039199793, t12, fma(-0.04471841855186752, t11, moment_z - t8));
+        let t11 = first_moment_z - 0.03851419740938042;
+        let t12 = t11 + 0.034404136302412215;
+        let t13 = first_moment_y + 0.007541969784485981 + 0.03645820876206707;
+        let t14 = first_moment_z - 0.03358452116577598 - 0.07550464880583714;
+        let t15 = first_moment_x - 0.021327326921465925;
+        let t16 = t15 - 0.1075527075299646;
+        let t17 = first_moment_y + 0.013447181620136492;
+        let t18 = t17 + 0.03934744538491937;
+        let t19 = first_moment_x + 0.04360784245699124 - 0.05289072611699614;
+        let t20 = modal_residual0 * 0.7026623076098962;
+        let t21 = 0.728533279643454 * fma(-0.42430549003691537, t20, modal_residual1);
+        let reduced_force_x = fma(-0.1686546624124975, t20, force_x - fma(-omega_z, t1, omega_y * t3));
+        let reduced_force_x = fma(0.2915046653256301, t21, reduced_force_x);
+        let reduced_force_y = fma(-0.4769248916244436, t20, force_y - fma(-omega_x, t3, omega_z * t5));
+        let reduced_force_y = fma(0.8599466917861309, t21, reduced_force_y);
+        let reduced_force_z = fma(-0.19095986526594344, t20, force_z - fma(-omega_y, t5, omega_x * t1));
+        let reduced_force_z = fma(0.44814069099253945, t21, reduced_force_z);
+        let reduced_moment_x = fma(-0.08780154575513523, t21, fma(0.07041888933786715, t20, moment_x - t6));
+        let reduced_moment_y = fma(-0.11802259241367719, t21, fma(-0.22836129673772051, t20, moment_y - t7));
+        let reduced_moment_z = fma(0.12506904039199793, t21, fma(-0.04471841855186752, t20, moment_z - t8));
 
         // Rigid-body accelerations (100 operations: 71 multiply-add, 22 multiply, 6 add, 1 divide)
-        let t22 = fma(t20, 0.0024464093413774234, fma(t16, -0.004971713184655362, 0.00430035789002414));
-        let t23 = fma(t20, 0.007156163218319777, fma(t16, -0.12758177270172086, 0.00018629523487009335));
-        let t24 = fma(t20, 0.11662139865475424, fma(t16, -0.007156163218319777, 9.166948814483759e-5));
-        let t25 = fma(t21, -0.0024464093413774234, fma(t14, 0.11476485716598413, -3.6880411001949616e-5));
-        let t26 = fma(t21, -0.007156163218319777, fma(t14, 0.004971713184655362, -0.0009464078153420166));
-        let t27 = fma(t21, -0.11662139865475424, fma(t14, 0.0024464093413774234, -5.3084767943419266e-5));
-        let t28 = fma(t18, 0.004971713184655362, t15 * -0.11476485716598413) - 0.0001580085626660048;
-        let t29 = fma(t18, 0.12758177270172086, t15 * -0.004971713184655362) - 0.0004622019075897542;
-        let t30 = fma(t18, 0.007156163218319777, t15 * -0.0024464093413774234) - 0.007532336991143783;
-        let t31 = fma(reduced_force_y, 0.004971713184655362, reduced_force_x * 0.11476485716598413);
-        let t32 = fma(reduced_force_z, 0.0024464093413774234, t31);
-        let t33 = fma(reduced_force_y, 0.12758177270172086, reduced_force_x * 0.004971713184655362);
-        let t34 = fma(reduced_force_z, 0.007156163218319777, t33);
-        let t35 = fma(reduced_force_y, 0.007156163218319777, reduced_force_x * 0.0024464093413774234);
-        let t36 = fma(reduced_force_z, 0.11662139865475424, t35);
-        let t37 = fma(t16, t23, fma(-0.037471034219164694, t22, 0.7307319628338057));
-        let t38 = -0.03934744538491937 - t19;
-        let t39 = fma(t38, t24, t37);
-        let t40 = -0.034404136302412215 - t13;
-        let t41 = fma(0.007418048795690163, t26, fma(t40, t25, 3.3749788451046405));
-        let t42 = fma(t21, t27, t41);
-        let t43 = 0.1075527075299646 - t17;
-        let t44 = fma(0.06458794936461446, t30, fma(t43, t29, fma(t15, t28, 3.7545433015546728)));
-        let t45 = fma(0.007418048795690163, t29, fma(t40, t28, 0.0395743670230937));
-        let t46 = fma(t21, t30, t45);
-        let t47 = fma(t16, t29, fma(-0.037471034219164694, t28, -0.5502731063039471));
-        let t48 = fma(t38, t30, t47);
-        let t49 = fma(t16, t26, fma(-0.037471034219164694, t25, 0.21604834392092967));
-        let t50 = fma(t38, t27, t49);
-        let t51 = fma(t16, t34, fma(-0.037471034219164694, t32, reduced_moment_x));
-        let t52 = fma(t38, t36, t51);
-        let t53 = fma(0.007418048795690163, t34, fma(t40, t32, reduced_moment_y));
-        let t54 = fma(t21, t36, t53);
-        let t55 = fma(0.06458794936461446, t36, fma(t43, t34, fma(t15, t32, reduced_moment_z)));
-        let t56 = fma(-t46, t46, t42 * t44);
-        let t57 = fma(-t42, t48, t46 * t50);
-        let t58 = fma(-t44, t50, t46 * t48);
-        let inverse_determinant = 1.0 / fma(t48, t57, fma(t50, t58, t39 * t56));
-        let t59 = fma(-t39, t46, t48 * t50) * inverse_determinant;
-        let t60 = t57 * inverse_determinant;
-        let t61 = t58 * inverse_determinant;
-        let angular_acceleration_x = fma(t55, t60, fma(t54, t61, t52 * (t56 * inverse_determinant)));
-        let angular_acceleration_y = fma(t54, fma(-t48, t48, t39 * t44) * inverse_determinant, t52 * t61);
-        let angular_acceleration_y = fma(t55, t59, angular_acceleration_y);
-        let angular_acceleration_z = fma(t55, fma(-t50, t50, t39 * t42) * inverse_determinant, fma(t54, t59, t52 * t60));
-        let acceleration_x = fma(-t25, angular_acceleration_y, fma(-t22, angular_acceleration_x, t32));
-        let acceleration_x = fma(-t28, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t26, angular_acceleration_y, fma(-t23, angular_acceleration_x, t34));
-        let acceleration_y = fma(-t29, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t27, angular_acceleration_y, fma(-t24, angular_acceleration_x, t36));
-        let acceleration_z = fma(-t30, angular_acceleration_z, acceleration_z);
+        let t22 = -0.03934744538491937 - t17;
+        let t23 = fma(t16, 0.007156163218319777, t13 * -0.0024464093413774234) - 0.007532336991143783;
+        let t24 = fma(t16, 0.12758177270172086, t13 * -0.004971713184655362) - 0.0004622019075897542;
+        let t25 = fma(t16, 0.004971713184655362, t13 * -0.11476485716598413) - 0.0001580085626660048;
+        let t26 = fma(t14, t24, fma(-0.037471034219164694, t25, -0.5502731063039471));
+        let t27 = fma(t22, t23, t26);
+        let t28 = fma(t19, -0.11662139865475424, fma(t12, 0.0024464093413774234, -5.3084767943419266e-5));
+        let t29 = fma(t19, -0.007156163218319777, fma(t12, 0.004971713184655362, -0.0009464078153420166));
+        let t30 = -0.034404136302412215 - t11;
+        let t31 = fma(t19, -0.0024464093413774234, fma(t12, 0.11476485716598413, -3.6880411001949616e-5));
+        let t32 = fma(0.007418048795690163, t29, fma(t30, t31, 3.3749788451046405));
+        let t33 = fma(t19, t28, t32);
+        let t34 = fma(0.007418048795690163, t24, fma(t30, t25, 0.0395743670230937));
+        let t35 = fma(t19, t23, t34);
+        let t36 = fma(t14, t29, fma(-0.037471034219164694, t31, 0.21604834392092967));
+        let t37 = fma(t22, t28, t36);
+        let t38 = fma(-t33, t27, t35 * t37);
+        let t39 = 0.1075527075299646 - t15;
+        let t40 = fma(0.06458794936461446, t23, fma(t39, t24, fma(t13, t25, 3.7545433015546728)));
+        let t41 = fma(-t40, t37, t35 * t27);
+        let t42 = fma(t18, 0.11662139865475424, fma(t14, -0.007156163218319777, 9.166948814483759e-5));
+        let t43 = fma(t18, 0.007156163218319777, fma(t14, -0.12758177270172086, 0.00018629523487009335));
+        let t44 = fma(t18, 0.0024464093413774234, fma(t14, -0.004971713184655362, 0.00430035789002414));
+        let t45 = fma(t14, t43, fma(-0.037471034219164694, t44, 0.7307319628338057));
+        let t46 = fma(t22, t42, t45);
+        let t47 = fma(-t35, t35, t33 * t40);
+        let inverse_determinant = 1.0 / fma(t27, t38, fma(t37, t41, t46 * t47));
+        let t48 = fma(reduced_force_y, 0.007156163218319777, reduced_force_x * 0.0024464093413774234);
+        let t49 = fma(reduced_force_z, 0.11662139865475424, t48);
+        let t50 = fma(reduced_force_y, 0.12758177270172086, reduced_force_x * 0.004971713184655362);
+        let t51 = fma(reduced_force_z, 0.007156163218319777, t50);
+        let t52 = fma(reduced_force_y, 0.004971713184655362, reduced_force_x * 0.11476485716598413);
+        let t53 = fma(reduced_force_z, 0.0024464093413774234, t52);
+        let t54 = fma(0.06458794936461446, t49, fma(t39, t51, fma(t13, t53, reduced_moment_z)));
+        let t55 = t38 * inverse_determinant;
+        let t56 = fma(0.007418048795690163, t51, fma(t30, t53, reduced_moment_y));
+        let t57 = fma(t19, t49, t56);
+        let t58 = t41 * inverse_determinant;
+        let t59 = fma(t14, t51, fma(-0.037471034219164694, t53, reduced_moment_x));
+        let t60 = fma(t22, t49, t59);
+        let angular_acceleration_x = fma(t54, t55, fma(t57, t58, t60 * (t47 * inverse_determinant)));
+        let t61 = fma(-t46, t35, t27 * t37) * inverse_determinant;
+        let angular_acceleration_y = fma(t57, fma(-t27, t27, t46 * t40) * inverse_determinant, t60 * t58);
+        let angular_acceleration_y = fma(t54, t61, angular_acceleration_y);
+        let angular_acceleration_z = fma(t54, fma(-t37, t37, t46 * t33) * inverse_determinant, fma(t57, t61, t60 * t55));
+        let acceleration_x = fma(-t31, angular_acceleration_y, fma(-t44, angular_acceleration_x, t53));
+        let acceleration_x = fma(-t25, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t43, angular_acceleration_x, t51));
+        let acceleration_y = fma(-t24, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t28, angular_acceleration_y, fma(-t42, angular_acceleration_x, t49));
+        let acceleration_z = fma(-t23, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t62 = fma(-0.4769248916244436, acceleration_y, fma(-0.1686546624124975, acceleration_x, t11));
-        let t63 = fma(0.07041888933786715, angular_acceleration_x, fma(-0.19095986526594344, acceleration_z, t62));
-        let t64 = fma(-0.04471841855186752, angular_acceleration_z, fma(-0.22836129673772051, angular_acceleration_y, t63));
-        let t65 = fma(0.8599466917861309, acceleration_y, fma(0.2915046653256301, acceleration_x, t12));
-        let t66 = fma(-0.08780154575513523, angular_acceleration_x, fma(0.44814069099253945, acceleration_z, t65));
-        let t67 = fma(0.12506904039199793, angular_acceleration_z, fma(-0.11802259241367719, angular_acceleration_y, t66));
-        let t68 = 0.728533279643454 * t67;
+        let t62 = fma(0.8599466917861309, acceleration_y, fma(0.2915046653256301, acceleration_x, t21));
+        let t63 = fma(-0.08780154575513523, angular_acceleration_x, fma(0.44814069099253945, acceleration_z, t62));
+        let t64 = fma(0.12506904039199793, angular_acceleration_z, fma(-0.11802259241367719, angular_acceleration_y, t63));
+        let t65 = 0.728533279643454 * t64;
+        let t66 = fma(-0.4769248916244436, acceleration_y, fma(-0.1686546624124975, acceleration_x, t20));
+        let t67 = fma(0.07041888933786715, angular_acceleration_x, fma(-0.19095986526594344, acceleration_z, t66));
+        let t68 = fma(-0.04471841855186752, angular_acceleration_z, fma(-0.22836129673772051, angular_acceleration_y, t67));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            0.7026623076098962 * fma(-0.42430549003691537, t68, t64), t68,
+            0.7026623076098962 * fma(-0.42430549003691537, t65, t68), t65,
         ]
     }
 
@@ -328,24 +328,24 @@ const _: () = {
         let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(-0.32856429449710967, q_dot1, 0.24002235581153603 * q_dot0);
+        let t1 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t2 = fma(-0.5341019557067384, q_dot1, 0.27176620006200825 * q_dot0);
-        let t3 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t4 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t5 = fma(t2, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t6 = fma(-omega_z, t4, omega_y * t5);
-        let t7 = fma(-omega_x, t5, omega_z * t3);
-        let t8 = fma(-omega_y, t3, omega_x * t4);
+        let t3 = fma(t2, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(-omega_z, t1, omega_y * t3);
+        let t5 = fma(-0.32856429449710967, q_dot1, 0.24002235581153603 * q_dot0);
+        let t6 = fma(t5, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t7 = fma(-omega_x, t3, omega_z * t6);
+        let t8 = fma(-omega_y, t6, omega_x * t1);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (24 operations: 12 multiply-add, 9 multiply, 3 add)
         let modal_spin_x = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
         let modal_spin_y = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0);
         let modal_spin_z = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
         let angular_momentum_x = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
-        let angular_momentum_y = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
-        let angular_momentum_z = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
         let angular_momentum_x = modal_spin_x + fma(-0.5644033827438444, omega_z, angular_momentum_x);
+        let angular_momentum_y = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
         let angular_momentum_y = modal_spin_y + fma(0.035025350693903806, omega_z, angular_momentum_y);
+        let angular_momentum_z = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
         let angular_momentum_z = modal_spin_z + fma(3.7721853033770283, omega_z, angular_momentum_z);
         let t9 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
         let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
@@ -353,90 +353,90 @@ const _: () = {
 
         // Modal forces f - Q_f - K q - D q̇ (14 operations: 4 multiply-add, 2 multiply, 8 add)
         let t12 = fma(0.41489841370334474, q_dot0, fma(1.2366949220363017, q1, 41.489841370334474 * q0));
-        let t13 = fma(0.7112048333902458, q_dot1, fma(71.12048333902457, q1, 1.2366949220363017 * q0));
         let modal_residual0 = modal_force0 - t12;
+        let t13 = fma(0.7112048333902458, q_dot1, fma(71.12048333902457, q1, 1.2366949220363017 * q0));
         let modal_residual1 = modal_force1 - t13;
 
         // Elimination of the modal accelerations (27 operations: 13 multiply-add, 2 multiply, 12 add)
-        let t14 = modal_residual0 * 0.7026623076098962;
-        let t15 = 0.728533279643454 * fma(-0.42430549003691537, t14, modal_residual1);
-        let t16 = first_moment_z - 0.03851419740938042;
-        let t17 = t16 + 0.034404136302412215;
-        let t18 = first_moment_y + 0.007541969784485981 + 0.03645820876206707;
-        let t19 = first_moment_z - 0.03358452116577598 - 0.07550464880583714;
-        let t20 = first_moment_x - 0.021327326921465925;
-        let t21 = t20 - 0.1075527075299646;
-        let t22 = first_moment_y + 0.013447181620136492;
-        let t23 = t22 + 0.03934744538491937;
-        let t24 = first_moment_x + 0.04360784245699124 - 0.05289072611699614;
-        let reduced_force_x = fma(0.2915046653256301, t15, fma(-0.1686546624124975, t14, force_x - t6));
-        let reduced_force_y = fma(0.8599466917861309, t15, fma(-0.4769248916244436, t14, force_y - t7));
-        let reduced_force_z = fma(0.44814069099253945, t15, fma(-0.19095986526594344, t14, force_z - t8));
-        let reduced_moment_x = fma(-0.08780154575513523, t15, fma(0.07041888933786715, t14, moment_x - t9));
-        let reduced_moment_y = fma(-0.11802259241367719, t15, fma(-0.22836129673772051, t14, moment_y - t10));
-        let reduced_moment_z = fma(0.12506904039199793, t15, fma(-0.04471841855186752, t14, moment_z - t11));
+        let t14 = first_moment_z - 0.03851419740938042;
+        let t15 = t14 + 0.034404136302412215;
+        let t16 = first_moment_y + 0.007541969784485981 + 0.03645820876206707;
+        let t17 = first_moment_z - 0.03358452116577598 - 0.07550464880583714;
+        let t18 = first_moment_x - 0.021327326921465925;
+        let t19 = t18 - 0.1075527075299646;
+        let t20 = first_moment_y + 0.013447181620136492;
+        let t21 = t20 + 0.03934744538491937;
+        let t22 = first_moment_x + 0.04360784245699124 - 0.05289072611699614;
+        let t23 = modal_residual0 * 0.7026623076098962;
+        let t24 = 0.728533279643454 * fma(-0.42430549003691537, t23, modal_residual1);
+        let reduced_force_x = fma(0.2915046653256301, t24, fma(-0.1686546624124975, t23, force_x - t4));
+        let reduced_force_y = fma(0.8599466917861309, t24, fma(-0.4769248916244436, t23, force_y - t7));
+        let reduced_force_z = fma(0.44814069099253945, t24, fma(-0.19095986526594344, t23, force_z - t8));
+        let reduced_moment_x = fma(-0.08780154575513523, t24, fma(0.07041888933786715, t23, moment_x - t9));
+        let reduced_moment_y = fma(-0.11802259241367719, t24, fma(-0.22836129673772051, t23, moment_y - t10));
+        let reduced_moment_z = fma(0.12506904039199793, t24, fma(-0.04471841855186752, t23, moment_z - t11));
 
         // Rigid-body accelerations (100 operations: 71 multiply-add, 22 multiply, 6 add, 1 divide)
-        let t25 = fma(t23, 0.0024464093413774234, fma(t19, -0.004971713184655362, 0.00430035789002414));
-        let t26 = fma(t23, 0.007156163218319777, fma(t19, -0.12758177270172086, 0.00018629523487009335));
-        let t27 = fma(t23, 0.11662139865475424, fma(t19, -0.007156163218319777, 9.166948814483759e-5));
-        let t28 = fma(t24, -0.0024464093413774234, fma(t17, 0.11476485716598413, -3.6880411001949616e-5));
-        let t29 = fma(t24, -0.007156163218319777, fma(t17, 0.004971713184655362, -0.0009464078153420166));
-        let t30 = fma(t24, -0.11662139865475424, fma(t17, 0.0024464093413774234, -5.3084767943419266e-5));
-        let t31 = fma(t21, 0.004971713184655362, t18 * -0.11476485716598413) - 0.0001580085626660048;
-        let t32 = fma(t21, 0.12758177270172086, t18 * -0.004971713184655362) - 0.0004622019075897542;
-        let t33 = fma(t21, 0.007156163218319777, t18 * -0.0024464093413774234) - 0.007532336991143783;
-        let t34 = fma(reduced_force_y, 0.004971713184655362, reduced_force_x * 0.11476485716598413);
-        let t35 = fma(reduced_force_z, 0.0024464093413774234, t34);
-        let t36 = fma(reduced_force_y, 0.12758177270172086, reduced_force_x * 0.004971713184655362);
-        let t37 = fma(reduced_force_z, 0.007156163218319777, t36);
-        let t38 = fma(reduced_force_y, 0.007156163218319777, reduced_force_x * 0.0024464093413774234);
-        let t39 = fma(reduced_force_z, 0.11662139865475424, t38);
-        let t40 = fma(t19, t26, fma(-0.037471034219164694, t25, 0.7307319628338057));
-        let t41 = -0.03934744538491937 - t22;
-        let t42 = fma(t41, t27, t40);
-        let t43 = -0.034404136302412215 - t16;
-        let t44 = fma(0.007418048795690163, t29, fma(t43, t28, 3.3749788451046405));
-        let t45 = fma(t24, t30, t44);
-        let t46 = 0.1075527075299646 - t20;
-        let t47 = fma(0.06458794936461446, t33, fma(t46, t32, fma(t18, t31, 3.7545433015546728)));
-        let t48 = fma(0.007418048795690163, t32, fma(t43, t31, 0.0395743670230937));
-        let t49 = fma(t24, t33, t48);
-        let t50 = fma(t19, t32, fma(-0.037471034219164694, t31, -0.5502731063039471));
-        let t51 = fma(t41, t33, t50);
-        let t52 = fma(t19, t29, fma(-0.037471034219164694, t28, 0.21604834392092967));
-        let t53 = fma(t41, t30, t52);
-        let t54 = fma(t19, t37, fma(-0.037471034219164694, t35, reduced_moment_x));
-        let t55 = fma(t41, t39, t54);
-        let t56 = fma(0.007418048795690163, t37, fma(t43, t35, reduced_moment_y));
-        let t57 = fma(t24, t39, t56);
-        let t58 = fma(0.06458794936461446, t39, fma(t46, t37, fma(t18, t35, reduced_moment_z)));
-        let t59 = fma(-t49, t49, t45 * t47);
-        let t60 = fma(-t45, t51, t49 * t53);
-        let t61 = fma(-t47, t53, t49 * t51);
-        let inverse_determinant = 1.0 / fma(t51, t60, fma(t53, t61, t42 * t59));
-        let t62 = fma(-t42, t49, t51 * t53) * inverse_determinant;
-        let t63 = t60 * inverse_determinant;
-        let t64 = t61 * inverse_determinant;
-        let angular_acceleration_x = fma(t58, t63, fma(t57, t64, t55 * (t59 * inverse_determinant)));
-        let angular_acceleration_y = fma(t57, fma(-t51, t51, t42 * t47) * inverse_determinant, t55 * t64);
-        let angular_acceleration_y = fma(t58, t62, angular_acceleration_y);
-        let angular_acceleration_z = fma(t58, fma(-t53, t53, t42 * t45) * inverse_determinant, fma(t57, t62, t55 * t63));
-        let acceleration_x = fma(-t28, angular_acceleration_y, fma(-t25, angular_acceleration_x, t35));
-        let acceleration_x = fma(-t31, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t26, angular_acceleration_x, t37));
-        let acceleration_y = fma(-t32, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t30, angular_acceleration_y, fma(-t27, angular_acceleration_x, t39));
-        let acceleration_z = fma(-t33, angular_acceleration_z, acceleration_z);
+        let t25 = -0.03934744538491937 - t20;
+        let t26 = fma(t19, 0.007156163218319777, t16 * -0.0024464093413774234) - 0.007532336991143783;
+        let t27 = fma(t19, 0.12758177270172086, t16 * -0.004971713184655362) - 0.0004622019075897542;
+        let t28 = fma(t19, 0.004971713184655362, t16 * -0.11476485716598413) - 0.0001580085626660048;
+        let t29 = fma(t17, t27, fma(-0.037471034219164694, t28, -0.5502731063039471));
+        let t30 = fma(t25, t26, t29);
+        let t31 = fma(t22, -0.11662139865475424, fma(t15, 0.0024464093413774234, -5.3084767943419266e-5));
+        let t32 = fma(t22, -0.007156163218319777, fma(t15, 0.004971713184655362, -0.0009464078153420166));
+        let t33 = -0.034404136302412215 - t14;
+        let t34 = fma(t22, -0.0024464093413774234, fma(t15, 0.11476485716598413, -3.6880411001949616e-5));
+        let t35 = fma(0.007418048795690163, t32, fma(t33, t34, 3.3749788451046405));
+        let t36 = fma(t22, t31, t35);
+        let t37 = fma(0.007418048795690163, t27, fma(t33, t28, 0.0395743670230937));
+        let t38 = fma(t22, t26, t37);
+        let t39 = fma(t17, t32, fma(-0.037471034219164694, t34, 0.21604834392092967));
+        let t40 = fma(t25, t31, t39);
+        let t41 = fma(-t36, t30, t38 * t40);
+        let t42 = 0.1075527075299646 - t18;
+        let t43 = fma(0.06458794936461446, t26, fma(t42, t27, fma(t16, t28, 3.7545433015546728)));
+        let t44 = fma(-t43, t40, t38 * t30);
+        let t45 = fma(t21, 0.11662139865475424, fma(t17, -0.007156163218319777, 9.166948814483759e-5));
+        let t46 = fma(t21, 0.007156163218319777, fma(t17, -0.12758177270172086, 0.00018629523487009335));
+        let t47 = fma(t21, 0.0024464093413774234, fma(t17, -0.004971713184655362, 0.00430035789002414));
+        let t48 = fma(t17, t46, fma(-0.037471034219164694, t47, 0.7307319628338057));
+        let t49 = fma(t25, t45, t48);
+        let t50 = fma(-t38, t38, t36 * t43);
+        let inverse_determinant = 1.0 / fma(t30, t41, fma(t40, t44, t49 * t50));
+        let t51 = fma(reduced_force_y, 0.007156163218319777, reduced_force_x * 0.0024464093413774234);
+        let t52 = fma(reduced_force_z, 0.11662139865475424, t51);
+        let t53 = fma(reduced_force_y, 0.12758177270172086, reduced_force_x * 0.004971713184655362);
+        let t54 = fma(reduced_force_z, 0.007156163218319777, t53);
+        let t55 = fma(reduced_force_y, 0.004971713184655362, reduced_force_x * 0.11476485716598413);
+        let t56 = fma(reduced_force_z, 0.0024464093413774234, t55);
+        let t57 = fma(0.06458794936461446, t52, fma(t42, t54, fma(t16, t56, reduced_moment_z)));
+        let t58 = t41 * inverse_determinant;
+        let t59 = fma(0.007418048795690163, t54, fma(t33, t56, reduced_moment_y));
+        let t60 = fma(t22, t52, t59);
+        let t61 = t44 * inverse_determinant;
+        let t62 = fma(t17, t54, fma(-0.037471034219164694, t56, reduced_moment_x));
+        let t63 = fma(t25, t52, t62);
+        let angular_acceleration_x = fma(t57, t58, fma(t60, t61, t63 * (t50 * inverse_determinant)));
+        let t64 = fma(-t49, t38, t30 * t40) * inverse_determinant;
+        let angular_acceleration_y = fma(t60, fma(-t30, t30, t49 * t43) * inverse_determinant, t63 * t61);
+        let angular_acceleration_y = fma(t57, t64, angular_acceleration_y);
+        let angular_acceleration_z = fma(t57, fma(-t40, t40, t49 * t36) * inverse_determinant, fma(t60, t64, t63 * t58));
+        let acceleration_x = fma(-t34, angular_acceleration_y, fma(-t47, angular_acceleration_x, t56));
+        let acceleration_x = fma(-t28, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t32, angular_acceleration_y, fma(-t46, angular_acceleration_x, t54));
+        let acceleration_y = fma(-t27, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t31, angular_acceleration_y, fma(-t45, angular_acceleration_x, t52));
+        let acceleration_z = fma(-t26, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t65 = fma(-0.4769248916244436, acceleration_y, fma(-0.1686546624124975, acceleration_x, t14));
-        let t66 = fma(0.07041888933786715, angular_acceleration_x, fma(-0.19095986526594344, acceleration_z, t65));
-        let t67 = fma(-0.04471841855186752, angular_acceleration_z, fma(-0.22836129673772051, angular_acceleration_y, t66));
-        let t68 = fma(0.8599466917861309, acceleration_y, fma(0.2915046653256301, acceleration_x, t15));
-        let t69 = fma(-0.08780154575513523, angular_acceleration_x, fma(0.44814069099253945, acceleration_z, t68));
-        let t70 = fma(0.12506904039199793, angular_acceleration_z, fma(-0.11802259241367719, angular_acceleration_y, t69));
-        let t71 = 0.728533279643454 * t70;
+        let t65 = fma(0.8599466917861309, acceleration_y, fma(0.2915046653256301, acceleration_x, t24));
+        let t66 = fma(-0.08780154575513523, angular_acceleration_x, fma(0.44814069099253945, acceleration_z, t65));
+        let t67 = fma(0.12506904039199793, angular_acceleration_z, fma(-0.11802259241367719, angular_acceleration_y, t66));
+        let t68 = 0.728533279643454 * t67;
+        let t69 = fma(-0.4769248916244436, acceleration_y, fma(-0.1686546624124975, acceleration_x, t23));
+        let t70 = fma(0.07041888933786715, angular_acceleration_x, fma(-0.19095986526594344, acceleration_z, t69));
+        let t71 = fma(-0.04471841855186752, angular_acceleration_z, fma(-0.22836129673772051, angular_acceleration_y, t70));
 
         (
             [
@@ -473,11 +473,11 @@ const _: () = {
                     0.2588952279675248, -0.15269810726036132, 0.6038540639531231, 2.0641232614429463,
                 ],
             ],
-            [t6, t7, t8, t9, t10, t11, 0.0, 0.0],
+            [t4, t7, t8, t9, t10, t11, 0.0, 0.0],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
-                0.7026623076098962 * fma(-0.42430549003691537, t71, t67), t71,
+                0.7026623076098962 * fma(-0.42430549003691537, t68, t71), t68,
             ],
         )
     }
@@ -500,33 +500,33 @@ const _: () = {
         let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
 
         // Twice the energy: v · P + ω · L + q̇ · p (70 operations: 42 multiply-add, 19 multiply, 9 add)
-        let t1 = fma(8.844703537197834, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(8.844703537197834, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(8.844703537197834, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(-0.32856429449710967, q_dot1, fma(0.24002235581153603, q_dot0, t1));
-        let t5 = fma(-0.978018945116414, q_dot1, fma(0.6787398248907106, q_dot0, t2));
-        let t6 = fma(-0.5341019557067384, q_dot1, fma(0.27176620006200825, q_dot0, t3));
-        let t7 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t8 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t10 = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
-        let t11 = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
-        let t12 = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
-        let t13 = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
-        let t14 = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
-        let t15 = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0) + (t8 + fma(0.035025350693903806, omega_z, t11));
-        let t16 = omega_x * (t13 + (t7 + fma(-0.5644033827438444, omega_z, t10)));
-        let t17 = fma(omega_z, t14 + (t9 + fma(3.7721853033770283, omega_z, t12)), fma(omega_y, t15, t16));
-        let t18 = fma(velocity_z, t6, fma(velocity_y, t5, velocity_x * t4)) + t17;
         let modal_momentum0 = fma(0.6787398248907106, velocity_y, 0.24002235581153603 * velocity_x);
-        let t19 = fma(0.3249943739183774, omega_y, -0.10021725738697554 * omega_x);
-        let modal_momentum0 = fma(0.27176620006200825, velocity_z, modal_momentum0) + fma(0.06364140792463607, omega_z, t19);
+        let t1 = fma(0.3249943739183774, omega_y, -0.10021725738697554 * omega_x);
+        let modal_momentum0 = fma(0.27176620006200825, velocity_z, modal_momentum0) + fma(0.06364140792463607, omega_z, t1);
         let modal_momentum0 = fma(0.6038540639531231, q_dot1, fma(2.025380781643531, q_dot0, modal_momentum0));
         let modal_momentum1 = fma(-0.978018945116414, velocity_y, -0.32856429449710967 * velocity_x);
-        let t20 = fma(0.2588952279675248, omega_y, 0.0906391146862467 * omega_x);
-        let modal_momentum1 = fma(-0.5341019557067384, velocity_z, modal_momentum1) + fma(-0.15269810726036132, omega_z, t20);
+        let t2 = fma(0.2588952279675248, omega_y, 0.0906391146862467 * omega_x);
+        let modal_momentum1 = fma(-0.5341019557067384, velocity_z, modal_momentum1) + fma(-0.15269810726036132, omega_z, t2);
         let modal_momentum1 = fma(2.0641232614429463, q_dot1, fma(0.6038540639531231, q_dot0, modal_momentum1));
-        let t21 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t18));
+        let t3 = fma(8.844703537197834, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(-0.5341019557067384, q_dot1, fma(0.27176620006200825, q_dot0, t3));
+        let t5 = fma(8.844703537197834, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t6 = fma(-0.978018945116414, q_dot1, fma(0.6787398248907106, q_dot0, t5));
+        let t7 = fma(8.844703537197834, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(-0.32856429449710967, q_dot1, fma(0.24002235581153603, q_dot0, t7));
+        let t9 = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
+        let t10 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
+        let t11 = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
+        let t12 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t13 = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
+        let t14 = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0) + (t12 + fma(0.035025350693903806, omega_z, t13));
+        let t15 = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
+        let t16 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
+        let t17 = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
+        let t18 = omega_x * (t15 + (t16 + fma(-0.5644033827438444, omega_z, t17)));
+        let t19 = fma(omega_z, t9 + (t10 + fma(3.7721853033770283, omega_z, t11)), fma(omega_y, t14, t18));
+        let t20 = fma(velocity_z, t4, fma(velocity_y, t6, velocity_x * t8)) + t19;
+        let t21 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t20));
 
         t21 * 0.5
     }
@@ -565,13 +565,13 @@ const _: () = {
 
         // Deformed inertia tensor Θ_rr (15 operations: 12 multiply-add, 3 multiply)
         let t1 = fma(8.844703537197834, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(8.844703537197834, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(8.844703537197834, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(-0.32856429449710967, q_dot1, fma(0.24002235581153603, q_dot0, t1));
-        let t5 = fma(-0.978018945116414, q_dot1, fma(0.6787398248907106, q_dot0, t2));
-        let t6 = fma(-0.5341019557067384, q_dot1, fma(0.27176620006200825, q_dot0, t3));
+        let t2 = fma(-0.32856429449710967, q_dot1, fma(0.24002235581153603, q_dot0, t1));
+        let t3 = fma(8.844703537197834, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t4 = fma(-0.978018945116414, q_dot1, fma(0.6787398248907106, q_dot0, t3));
+        let t5 = fma(8.844703537197834, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t6 = fma(-0.5341019557067384, q_dot1, fma(0.27176620006200825, q_dot0, t5));
 
-        [t4, t5, t6]
+        [t2, t4, t6]
     }
 
     /// Angular momentum about the frame origin.
@@ -592,19 +592,19 @@ const _: () = {
         let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
 
         // Deformed inertia tensor Θ_rr (27 operations: 12 multiply-add, 9 multiply, 6 add)
-        let t1 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t2 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t3 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t4 = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
+        let t1 = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
+        let t2 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
+        let t3 = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
+        let t4 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
         let t5 = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
-        let t6 = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
-        let t7 = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
-        let t8 = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
-        let t9 = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0) + (t2 + fma(0.035025350693903806, omega_z, t5));
+        let t6 = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0) + (t4 + fma(0.035025350693903806, omega_z, t5));
+        let t7 = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
+        let t8 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
+        let t9 = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
 
         [
-            t7 + (t1 + fma(-0.5644033827438444, omega_z, t4)), t9,
-            t8 + (t3 + fma(3.7721853033770283, omega_z, t6)),
+            t1 + (t2 + fma(-0.5644033827438444, omega_z, t3)), t6,
+            t7 + (t8 + fma(3.7721853033770283, omega_z, t9)),
         ]
     }
 

@@ -256,52 +256,52 @@ const _: () = {
         let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
         let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t1 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t2 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t3 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t4 = omega_x * 2.0;
+        let t2 = omega_x * 2.0;
+        let t3 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t2));
+        let t4 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t5 = omega_y * 2.0;
-        let t6 = omega_z * 2.0;
-        let t7 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t4));
-        let t8 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t5));
-        let t9 = fma(rate_trace - rate_zz, t6, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t6 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t5));
+        let t7 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t8 = omega_z * 2.0;
+        let t9 = fma(rate_trace - rate_zz, t8, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
-        let t10 = omega_x * omega_x;
-        let t11 = omega_y * omega_y;
-        let t12 = omega_z * omega_z;
-        let t13 = t11 + t12;
-        let t14 = t11 - t10;
-        let t15 = t12 - t10;
-        let t16 = omega_x * omega_y;
-        let t17 = omega_x * omega_z;
-        let t18 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t15, fma(-moment_trace0, t13, moment_yy0 * t14));
-        let modal_quadratic0 = fma(moment_yz0, t18, fma(moment_xz0, t17, fma(moment_xy0, t16, modal_quadratic0)));
         let whirl_x0 = fma(-0.009696329738944819, q_dot2, -0.1221918615743188 * q_dot1);
         let whirl_y0 = fma(0.06827969630376199, q_dot2, -0.12735015057795504 * q_dot1);
         let whirl_z0 = fma(0.1782219433490586, q_dot2, 0.1303981361934835 * q_dot1);
-        let modal_quadratic0 = fma(t6, whirl_z0, fma(t5, whirl_y0, fma(t4, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t15, fma(-moment_trace1, t13, moment_yy1 * t14));
-        let modal_quadratic1 = fma(moment_yz1, t18, fma(moment_xz1, t17, fma(moment_xy1, t16, modal_quadratic1)));
+        let t10 = omega_y * omega_z;
+        let t11 = omega_x * omega_z;
+        let t12 = omega_x * omega_y;
+        let t13 = omega_z * omega_z;
+        let t14 = omega_x * omega_x;
+        let t15 = t13 - t14;
+        let t16 = omega_y * omega_y;
+        let t17 = t16 + t13;
+        let t18 = t16 - t14;
+        let modal_quadratic0 = fma(moment_zz0, t15, fma(-moment_trace0, t17, moment_yy0 * t18));
+        let modal_quadratic0 = fma(moment_yz0, t10, fma(moment_xz0, t11, fma(moment_xy0, t12, modal_quadratic0)));
+        let modal_quadratic0 = fma(t8, whirl_z0, fma(t5, whirl_y0, fma(t2, whirl_x0, modal_quadratic0)));
         let whirl_x1 = fma(0.03375587610902345, q_dot2, 0.1221918615743188 * q_dot0);
         let whirl_y1 = fma(-0.24276111687217697, q_dot2, 0.12735015057795504 * q_dot0);
         let whirl_z1 = fma(0.09134795615307512, q_dot2, -0.1303981361934835 * q_dot0);
-        let modal_quadratic1 = fma(t6, whirl_z1, fma(t5, whirl_y1, fma(t4, whirl_x1, modal_quadratic1)));
-        let modal_quadratic2 = fma(moment_zz2, t15, fma(-moment_trace2, t13, moment_yy2 * t14));
-        let modal_quadratic2 = fma(moment_yz2, t18, fma(moment_xz2, t17, fma(moment_xy2, t16, modal_quadratic2)));
+        let modal_quadratic1 = fma(moment_zz1, t15, fma(-moment_trace1, t17, moment_yy1 * t18));
+        let modal_quadratic1 = fma(moment_yz1, t10, fma(moment_xz1, t11, fma(moment_xy1, t12, modal_quadratic1)));
+        let modal_quadratic1 = fma(t8, whirl_z1, fma(t5, whirl_y1, fma(t2, whirl_x1, modal_quadratic1)));
         let whirl_x2 = fma(-0.03375587610902345, q_dot1, 0.009696329738944819 * q_dot0);
         let whirl_y2 = fma(0.24276111687217697, q_dot1, -0.06827969630376199 * q_dot0);
         let whirl_z2 = fma(-0.09134795615307512, q_dot1, -0.1782219433490586 * q_dot0);
-        let modal_quadratic2 = fma(t6, whirl_z2, fma(t5, whirl_y2, fma(t4, whirl_x2, modal_quadratic2)));
+        let modal_quadratic2 = fma(moment_zz2, t15, fma(-moment_trace2, t17, moment_yy2 * t18));
+        let modal_quadratic2 = fma(moment_yz2, t10, fma(moment_xz2, t11, fma(moment_xy2, t12, modal_quadratic2)));
+        let modal_quadratic2 = fma(t8, whirl_z2, fma(t5, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
 
         [
-            0.0, 0.0, 0.0, t1 + t7, t2 + t8, t3 + t9, modal_quadratic0, modal_quadratic1,
+            0.0, 0.0, 0.0, t1 + t3, t4 + t6, t7 + t9, modal_quadratic0, modal_quadratic1,
             modal_quadratic2,
         ]
     }
@@ -393,56 +393,56 @@ const _: () = {
         let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
         let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t1 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t2 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t3 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t4 = omega_x * 2.0;
+        let t2 = omega_x * 2.0;
+        let t3 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t2));
+        let t4 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t5 = omega_y * 2.0;
-        let t6 = omega_z * 2.0;
-        let t7 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t4));
-        let t8 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t5));
-        let t9 = fma(rate_trace - rate_zz, t6, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t6 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t5));
+        let t7 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t8 = omega_z * 2.0;
+        let t9 = fma(rate_trace - rate_zz, t8, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
-        let t10 = omega_x * omega_x;
-        let t11 = omega_y * omega_y;
-        let t12 = omega_z * omega_z;
-        let t13 = t11 + t12;
-        let t14 = t11 - t10;
-        let t15 = t12 - t10;
-        let t16 = omega_x * omega_y;
-        let t17 = omega_x * omega_z;
-        let t18 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t15, fma(-moment_trace0, t13, moment_yy0 * t14));
-        let modal_quadratic0 = fma(moment_yz0, t18, fma(moment_xz0, t17, fma(moment_xy0, t16, modal_quadratic0)));
         let whirl_x0 = fma(-0.009696329738944819, q_dot2, -0.1221918615743188 * q_dot1);
         let whirl_y0 = fma(0.06827969630376199, q_dot2, -0.12735015057795504 * q_dot1);
         let whirl_z0 = fma(0.1782219433490586, q_dot2, 0.1303981361934835 * q_dot1);
-        let modal_quadratic0 = fma(t6, whirl_z0, fma(t5, whirl_y0, fma(t4, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t15, fma(-moment_trace1, t13, moment_yy1 * t14));
-        let modal_quadratic1 = fma(moment_yz1, t18, fma(moment_xz1, t17, fma(moment_xy1, t16, modal_quadratic1)));
+        let t10 = omega_y * omega_z;
+        let t11 = omega_x * omega_z;
+        let t12 = omega_x * omega_y;
+        let t13 = omega_z * omega_z;
+        let t14 = omega_x * omega_x;
+        let t15 = t13 - t14;
+        let t16 = omega_y * omega_y;
+        let t17 = t16 + t13;
+        let t18 = t16 - t14;
+        let modal_quadratic0 = fma(moment_zz0, t15, fma(-moment_trace0, t17, moment_yy0 * t18));
+        let modal_quadratic0 = fma(moment_yz0, t10, fma(moment_xz0, t11, fma(moment_xy0, t12, modal_quadratic0)));
+        let modal_quadratic0 = fma(t8, whirl_z0, fma(t5, whirl_y0, fma(t2, whirl_x0, modal_quadratic0)));
         let whirl_x1 = fma(0.03375587610902345, q_dot2, 0.1221918615743188 * q_dot0);
         let whirl_y1 = fma(-0.24276111687217697, q_dot2, 0.12735015057795504 * q_dot0);
         let whirl_z1 = fma(0.09134795615307512, q_dot2, -0.1303981361934835 * q_dot0);
-        let modal_quadratic1 = fma(t6, whirl_z1, fma(t5, whirl_y1, fma(t4, whirl_x1, modal_quadratic1)));
-        let modal_quadratic2 = fma(moment_zz2, t15, fma(-moment_trace2, t13, moment_yy2 * t14));
-        let modal_quadratic2 = fma(moment_yz2, t18, fma(moment_xz2, t17, fma(moment_xy2, t16, modal_quadratic2)));
+        let modal_quadratic1 = fma(moment_zz1, t15, fma(-moment_trace1, t17, moment_yy1 * t18));
+        let modal_quadratic1 = fma(moment_yz1, t10, fma(moment_xz1, t11, fma(moment_xy1, t12, modal_quadratic1)));
+        let modal_quadratic1 = fma(t8, whirl_z1, fma(t5, whirl_y1, fma(t2, whirl_x1, modal_quadratic1)));
         let whirl_x2 = fma(-0.03375587610902345, q_dot1, 0.009696329738944819 * q_dot0);
         let whirl_y2 = fma(0.24276111687217697, q_dot1, -0.06827969630376199 * q_dot0);
         let whirl_z2 = fma(-0.09134795615307512, q_dot1, -0.1782219433490586 * q_dot0);
-        let modal_quadratic2 = fma(t6, whirl_z2, fma(t5, whirl_y2, fma(t4, whirl_x2, modal_quadratic2)));
+        let modal_quadratic2 = fma(moment_zz2, t15, fma(-moment_trace2, t17, moment_yy2 * t18));
+        let modal_quadratic2 = fma(moment_yz2, t10, fma(moment_xz2, t11, fma(moment_xy2, t12, modal_quadratic2)));
+        let modal_quadratic2 = fma(t8, whirl_z2, fma(t5, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
 
         // Modal forces f - Q_f - K q - D q̇ (21 operations: 9 multiply-add, 3 multiply, 9 add)
         let t19 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
-        let t20 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
-        let t21 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.4106565704379767, q_dot0, t19);
+        let t20 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.7105231422480454, q_dot1, t20);
+        let t21 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
         let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.0091517572079334, q_dot2, t21);
 
         // Elimination of the modal accelerations (27 operations: 27 multiply-add)
@@ -458,29 +458,29 @@ const _: () = {
         let t31 = fma(-coupling_x2, coupling_z2, t30);
         let t32 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
         let t33 = fma(-coupling_x2, coupling_y2, t32);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t1 + t7)));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t1 + t3)));
         let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t2 + t8)));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t4 + t6)));
         let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t3 + t9)));
+        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t7 + t9)));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
 
         // Rigid-body accelerations (34 operations: 14 multiply-add, 19 multiply, 1 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t34 = fma(-t29, t29, t25 * t27);
-        let t35 = fma(-t25, t31, t29 * t33);
-        let t36 = fma(-t27, t33, t29 * t31);
-        let inverse_determinant = 1.0 / fma(t31, t35, fma(t33, t36, t23 * t34));
-        let t37 = fma(-t23, t29, t31 * t33) * inverse_determinant;
+        let t34 = fma(-t25, t31, t29 * t33);
+        let t35 = fma(-t27, t33, t29 * t31);
+        let t36 = fma(-t29, t29, t25 * t27);
+        let inverse_determinant = 1.0 / fma(t31, t34, fma(t33, t35, t23 * t36));
+        let t37 = t34 * inverse_determinant;
         let t38 = t35 * inverse_determinant;
-        let t39 = t36 * inverse_determinant;
-        let angular_acceleration_x = fma(reduced_moment_y, t39, reduced_moment_x * (t34 * inverse_determinant));
-        let angular_acceleration_x = fma(reduced_moment_z, t38, angular_acceleration_x);
-        let angular_acceleration_y = fma(reduced_moment_y, fma(-t31, t31, t23 * t27) * inverse_determinant, reduced_moment_x * t39);
-        let angular_acceleration_y = fma(reduced_moment_z, t37, angular_acceleration_y);
-        let angular_acceleration_z = fma(reduced_moment_z, fma(-t33, t33, t23 * t25) * inverse_determinant, fma(reduced_moment_y, t37, reduced_moment_x * t38));
+        let angular_acceleration_x = fma(reduced_moment_y, t38, reduced_moment_x * (t36 * inverse_determinant));
+        let angular_acceleration_x = fma(reduced_moment_z, t37, angular_acceleration_x);
+        let t39 = fma(-t23, t29, t31 * t33) * inverse_determinant;
+        let angular_acceleration_y = fma(reduced_moment_y, fma(-t31, t31, t23 * t27) * inverse_determinant, reduced_moment_x * t38);
+        let angular_acceleration_y = fma(reduced_moment_z, t39, angular_acceleration_y);
+        let angular_acceleration_z = fma(reduced_moment_z, fma(-t33, t33, t23 * t25) * inverse_determinant, fma(reduced_moment_y, t39, reduced_moment_x * t37));
 
         // Modal accelerations (9 operations: 9 multiply-add)
         let t40 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
@@ -588,59 +588,59 @@ const _: () = {
         let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
         let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t1 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t2 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t3 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t4 = omega_x * 2.0;
-        let t5 = omega_y * 2.0;
-        let t6 = omega_z * 2.0;
-        let t7 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t4));
-        let t8 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t5));
-        let t9 = fma(rate_trace - rate_zz, t6, -fma(omega_y, rate_yz, omega_x * rate_xz));
-        let t10 = t1 + t7;
-        let t11 = t2 + t8;
-        let t12 = t3 + t9;
+        let t2 = omega_x * 2.0;
+        let t3 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t2));
+        let t4 = t1 + t3;
+        let t5 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t6 = omega_y * 2.0;
+        let t7 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t6));
+        let t8 = t5 + t7;
+        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t10 = omega_z * 2.0;
+        let t11 = fma(rate_trace - rate_zz, t10, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = t9 + t11;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
-        let t13 = omega_x * omega_x;
-        let t14 = omega_y * omega_y;
-        let t15 = omega_z * omega_z;
-        let t16 = t14 + t15;
-        let t17 = t14 - t13;
-        let t18 = t15 - t13;
-        let t19 = omega_x * omega_y;
-        let t20 = omega_x * omega_z;
-        let t21 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t18, fma(-moment_trace0, t16, moment_yy0 * t17));
-        let modal_quadratic0 = fma(moment_yz0, t21, fma(moment_xz0, t20, fma(moment_xy0, t19, modal_quadratic0)));
         let whirl_x0 = fma(-0.009696329738944819, q_dot2, -0.1221918615743188 * q_dot1);
         let whirl_y0 = fma(0.06827969630376199, q_dot2, -0.12735015057795504 * q_dot1);
         let whirl_z0 = fma(0.1782219433490586, q_dot2, 0.1303981361934835 * q_dot1);
-        let modal_quadratic0 = fma(t6, whirl_z0, fma(t5, whirl_y0, fma(t4, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t18, fma(-moment_trace1, t16, moment_yy1 * t17));
-        let modal_quadratic1 = fma(moment_yz1, t21, fma(moment_xz1, t20, fma(moment_xy1, t19, modal_quadratic1)));
+        let t13 = omega_y * omega_z;
+        let t14 = omega_x * omega_z;
+        let t15 = omega_x * omega_y;
+        let t16 = omega_z * omega_z;
+        let t17 = omega_x * omega_x;
+        let t18 = t16 - t17;
+        let t19 = omega_y * omega_y;
+        let t20 = t19 + t16;
+        let t21 = t19 - t17;
+        let modal_quadratic0 = fma(moment_zz0, t18, fma(-moment_trace0, t20, moment_yy0 * t21));
+        let modal_quadratic0 = fma(moment_yz0, t13, fma(moment_xz0, t14, fma(moment_xy0, t15, modal_quadratic0)));
+        let modal_quadratic0 = fma(t10, whirl_z0, fma(t6, whirl_y0, fma(t2, whirl_x0, modal_quadratic0)));
         let whirl_x1 = fma(0.03375587610902345, q_dot2, 0.1221918615743188 * q_dot0);
         let whirl_y1 = fma(-0.24276111687217697, q_dot2, 0.12735015057795504 * q_dot0);
         let whirl_z1 = fma(0.09134795615307512, q_dot2, -0.1303981361934835 * q_dot0);
-        let modal_quadratic1 = fma(t6, whirl_z1, fma(t5, whirl_y1, fma(t4, whirl_x1, modal_quadratic1)));
-        let modal_quadratic2 = fma(moment_zz2, t18, fma(-moment_trace2, t16, moment_yy2 * t17));
-        let modal_quadratic2 = fma(moment_yz2, t21, fma(moment_xz2, t20, fma(moment_xy2, t19, modal_quadratic2)));
+        let modal_quadratic1 = fma(moment_zz1, t18, fma(-moment_trace1, t20, moment_yy1 * t21));
+        let modal_quadratic1 = fma(moment_yz1, t13, fma(moment_xz1, t14, fma(moment_xy1, t15, modal_quadratic1)));
+        let modal_quadratic1 = fma(t10, whirl_z1, fma(t6, whirl_y1, fma(t2, whirl_x1, modal_quadratic1)));
         let whirl_x2 = fma(-0.03375587610902345, q_dot1, 0.009696329738944819 * q_dot0);
         let whirl_y2 = fma(0.24276111687217697, q_dot1, -0.06827969630376199 * q_dot0);
         let whirl_z2 = fma(-0.09134795615307512, q_dot1, -0.1782219433490586 * q_dot0);
-        let modal_quadratic2 = fma(t6, whirl_z2, fma(t5, whirl_y2, fma(t4, whirl_x2, modal_quadratic2)));
+        let modal_quadratic2 = fma(moment_zz2, t18, fma(-moment_trace2, t20, moment_yy2 * t21));
+        let modal_quadratic2 = fma(moment_yz2, t13, fma(moment_xz2, t14, fma(moment_xy2, t15, modal_quadratic2)));
+        let modal_quadratic2 = fma(t10, whirl_z2, fma(t6, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
 
         // Modal forces f - Q_f - K q - D q̇ (21 operations: 9 multiply-add, 3 multiply, 9 add)
         let t22 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
-        let t23 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
-        let t24 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.4106565704379767, q_dot0, t22);
+        let t23 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.7105231422480454, q_dot1, t23);
+        let t24 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
         let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.0091517572079334, q_dot2, t24);
 
         // Elimination of the modal accelerations (27 operations: 27 multiply-add)
@@ -656,9 +656,9 @@ const _: () = {
         let t34 = fma(-coupling_x2, coupling_z2, t33);
         let t35 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
         let t36 = fma(-coupling_x2, coupling_y2, t35);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t10));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t4));
         let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t11));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t8));
         let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t12));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
@@ -667,18 +667,18 @@ const _: () = {
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t37 = fma(-t32, t32, t28 * t30);
-        let t38 = fma(-t28, t34, t32 * t36);
-        let t39 = fma(-t30, t36, t32 * t34);
-        let inverse_determinant = 1.0 / fma(t34, t38, fma(t36, t39, t26 * t37));
-        let t40 = fma(-t26, t32, t34 * t36) * inverse_determinant;
+        let t37 = fma(-t28, t34, t32 * t36);
+        let t38 = fma(-t30, t36, t32 * t34);
+        let t39 = fma(-t32, t32, t28 * t30);
+        let inverse_determinant = 1.0 / fma(t34, t37, fma(t36, t38, t26 * t39));
+        let t40 = t37 * inverse_determinant;
         let t41 = t38 * inverse_determinant;
-        let t42 = t39 * inverse_determinant;
-        let angular_acceleration_x = fma(reduced_moment_y, t42, reduced_moment_x * (t37 * inverse_determinant));
-        let angular_acceleration_x = fma(reduced_moment_z, t41, angular_acceleration_x);
-        let angular_acceleration_y = fma(reduced_moment_y, fma(-t34, t34, t26 * t30) * inverse_determinant, reduced_moment_x * t42);
-        let angular_acceleration_y = fma(reduced_moment_z, t40, angular_acceleration_y);
-        let angular_acceleration_z = fma(reduced_moment_z, fma(-t36, t36, t26 * t28) * inverse_determinant, fma(reduced_moment_y, t40, reduced_moment_x * t41));
+        let angular_acceleration_x = fma(reduced_moment_y, t41, reduced_moment_x * (t39 * inverse_determinant));
+        let angular_acceleration_x = fma(reduced_moment_z, t40, angular_acceleration_x);
+        let t42 = fma(-t26, t32, t34 * t36) * inverse_determinant;
+        let angular_acceleration_y = fma(reduced_moment_y, fma(-t34, t34, t26 * t30) * inverse_determinant, reduced_moment_x * t41);
+        let angular_acceleration_y = fma(reduced_moment_z, t42, angular_acceleration_y);
+        let angular_acceleration_z = fma(reduced_moment_z, fma(-t36, t36, t26 * t28) * inverse_determinant, fma(reduced_moment_y, t42, reduced_moment_x * t40));
 
         // Modal accelerations (9 operations: 9 multiply-add)
         let t43 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
@@ -697,7 +697,7 @@ const _: () = {
                 [0.0, 0.0, 0.0, coupling_x1, coupling_y1, coupling_z1, 0.0, 1.0, 0.0],
                 [0.0, 0.0, 0.0, coupling_x2, coupling_y2, coupling_z2, 0.0, 0.0, 1.0],
             ],
-            [0.0, 0.0, 0.0, t10, t11, t12, modal_quadratic0, modal_quadratic1, modal_quadratic2],
+            [0.0, 0.0, 0.0, t4, t8, t12, modal_quadratic0, modal_quadratic1, modal_quadratic2],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
@@ -785,21 +785,21 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, -0.5502301101801855);
 
         // Twice the energy: v · P + ω · L + q̇ · p (47 operations: 25 multiply-add, 15 multiply, 7 add)
-        let t1 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t2 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let t3 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
-        let t4 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
-        let t5 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
-        let t6 = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
-        let t7 = fma(velocity_y, 8.712436319918037 * velocity_y, velocity_x * (8.712436319918037 * velocity_x));
-        let t8 = fma(omega_z, t3 + t6, fma(omega_y, t2 + t5, omega_x * (t1 + t4)));
         let modal_momentum0 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
         let modal_momentum0 = q_dot0 + modal_momentum0;
-        let t9 = fma(q_dot0, modal_momentum0, fma(velocity_z, 8.712436319918037 * velocity_z, t7) + t8);
         let modal_momentum1 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
         let modal_momentum1 = q_dot1 + modal_momentum1;
         let modal_momentum2 = fma(omega_z, coupling_z2, fma(omega_y, coupling_y2, omega_x * coupling_x2));
         let modal_momentum2 = q_dot2 + modal_momentum2;
+        let t1 = fma(velocity_y, 8.712436319918037 * velocity_y, velocity_x * (8.712436319918037 * velocity_x));
+        let t2 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let t3 = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
+        let t4 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t5 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
+        let t6 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t7 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
+        let t8 = fma(omega_z, t2 + t3, fma(omega_y, t4 + t5, omega_x * (t6 + t7)));
+        let t9 = fma(q_dot0, modal_momentum0, fma(velocity_z, 8.712436319918037 * velocity_z, t1) + t8);
         let t10 = fma(q_dot2, modal_momentum2, fma(q_dot1, modal_momentum1, t9));
 
         t10 * 0.5
@@ -815,11 +815,11 @@ const _: () = {
         let [q0, q1, q2] = *q;
 
         // Elastic energy (13 operations: 8 multiply-add, 5 multiply)
-        let t1 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
+        let t1 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
         let t2 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
-        let t3 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
+        let t3 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
 
-        fma(q2, t3, fma(q1, t2, q0 * t1)) * 0.5
+        fma(q2, t1, fma(q1, t2, q0 * t3)) * 0.5
     }
 
     /// Linear momentum.
@@ -914,13 +914,13 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, 0.293723964206046);
         let inertia_xy = fma(change_xy, -0.5, -0.5502301101801855);
         let t1 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t2 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let t3 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
-        let t4 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
-        let t5 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
+        let t2 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
+        let t3 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t4 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
+        let t5 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let t6 = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
 
-        [t1 + t4, t2 + t5, t3 + t6]
+        [t1 + t2, t3 + t4, t5 + t6]
     }
 
     /// Elastic and damping forces, on the left-hand side.

@@ -212,12 +212,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(-0.2876357863381134, q_dot1, -0.16994951347178364 * q_dot0);
-        let t2 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
+        let t1 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(0.4601368236989972, q_dot1, 0.09435211124454879 * q_dot0);
-        let t4 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-0.2876357863381134, q_dot1, -0.16994951347178364 * q_dot0);
+        let t6 = fma(t5, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -230,47 +230,47 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * 2.0;
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * 2.0;
-        let t12 = omega_z * 2.0;
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = -0.25002433544061975 * q_dot1;
         let whirl_y0 = 0.06630995506722814 * q_dot1;
         let whirl_z0 = -0.00536801568094894 * q_dot1;
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = 0.25002433544061975 * q_dot0;
         let whirl_y1 = -0.06630995506722814 * q_dot0;
         let whirl_z1 = 0.00536801568094894 * q_dot0;
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
 
         [
-            fma(-omega_z, t5, omega_y * t6), fma(-omega_x, t6, omega_z * t4),
-            fma(-omega_y, t4, omega_x * t5), t7 + t13, t8 + t14, t9 + t15, modal_quadratic0,
+            fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+            fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
             modal_quadratic1,
         ]
     }
@@ -327,12 +327,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(-0.2876357863381134, q_dot1, -0.16994951347178364 * q_dot0);
-        let t2 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
+        let t1 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(0.4601368236989972, q_dot1, 0.09435211124454879 * q_dot0);
-        let t4 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-0.2876357863381134, q_dot1, -0.16994951347178364 * q_dot0);
+        let t6 = fma(t5, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -345,48 +345,48 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * 2.0;
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * 2.0;
-        let t12 = omega_z * 2.0;
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = -0.25002433544061975 * q_dot1;
         let whirl_y0 = 0.06630995506722814 * q_dot1;
         let whirl_z0 = -0.00536801568094894 * q_dot1;
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = 0.25002433544061975 * q_dot0;
         let whirl_y1 = -0.06630995506722814 * q_dot0;
         let whirl_z1 = 0.00536801568094894 * q_dot0;
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t25 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
-        let t26 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - t25;
+        let t26 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - t26;
 
         // Elimination of the modal accelerations (54 operations: 43 multiply-add, 11 multiply)
@@ -396,89 +396,89 @@ const _: () = {
         let t30 = 0.7816444002421177 * fma(0.349841516564402, t29, coupling_y1);
         let t31 = coupling_z0 * 0.8025943022469433;
         let t32 = 0.7816444002421177 * fma(0.349841516564402, t31, coupling_z1);
-        let t33 = modal_residual0 * 0.8025943022469433;
-        let t34 = 0.7816444002421177 * fma(0.349841516564402, t33, modal_residual1);
-        let t35 = fma(-0.2621278482346651, t28, -0.13640051118209368 * t27);
-        let t36 = fma(0.2621278482346651, t30, fma(0.13640051118209368, t29, first_moment_z));
-        let t37 = fma(-0.2621278482346651, t32, fma(-0.13640051118209368, t31, first_moment_y));
-        let t38 = fma(-0.11949421156607871, t28, fma(0.21076031493192482, t27, first_moment_z));
-        let t39 = fma(-0.11949421156607871, t30, 0.21076031493192482 * t29);
-        let t40 = fma(0.11949421156607871, t32, fma(-0.21076031493192482, t31, first_moment_x));
-        let t41 = fma(-0.3803708998478266, t28, fma(-0.07572646688984461, t27, first_moment_y));
-        let t42 = fma(0.3803708998478266, t30, fma(0.07572646688984461, t29, first_moment_x));
-        let t43 = fma(0.3803708998478266, t32, 0.07572646688984461 * t31);
-        let reduced_force_x = fma(0.13640051118209368, t33, force_x - fma(-omega_z, t5, omega_y * t6));
-        let reduced_force_x = fma(0.2621278482346651, t34, reduced_force_x);
-        let reduced_force_y = fma(-0.21076031493192482, t33, force_y - fma(-omega_x, t6, omega_z * t4));
-        let reduced_force_y = fma(0.11949421156607871, t34, reduced_force_y);
-        let reduced_force_z = fma(-0.07572646688984461, t33, force_z - fma(-omega_y, t4, omega_x * t5));
-        let reduced_force_z = fma(-0.3803708998478266, t34, reduced_force_z);
-        let reduced_moment_x = fma(-t28, t34, fma(-t27, t33, moment_x - (t7 + t13)));
-        let reduced_moment_y = fma(-t30, t34, fma(-t29, t33, moment_y - (t8 + t14)));
-        let reduced_moment_z = fma(-t32, t34, fma(-t31, t33, moment_z - (t9 + t15)));
+        let t33 = fma(-0.2621278482346651, t28, -0.13640051118209368 * t27);
+        let t34 = fma(0.2621278482346651, t30, fma(0.13640051118209368, t29, first_moment_z));
+        let t35 = fma(-0.2621278482346651, t32, fma(-0.13640051118209368, t31, first_moment_y));
+        let t36 = fma(-0.11949421156607871, t28, fma(0.21076031493192482, t27, first_moment_z));
+        let t37 = fma(-0.11949421156607871, t30, 0.21076031493192482 * t29);
+        let t38 = fma(0.11949421156607871, t32, fma(-0.21076031493192482, t31, first_moment_x));
+        let t39 = fma(-0.3803708998478266, t28, fma(-0.07572646688984461, t27, first_moment_y));
+        let t40 = fma(0.3803708998478266, t30, fma(0.07572646688984461, t29, first_moment_x));
+        let t41 = fma(0.3803708998478266, t32, 0.07572646688984461 * t31);
+        let t42 = modal_residual0 * 0.8025943022469433;
+        let t43 = 0.7816444002421177 * fma(0.349841516564402, t42, modal_residual1);
+        let reduced_force_x = fma(0.13640051118209368, t42, force_x - fma(-omega_z, t2, omega_y * t4));
+        let reduced_force_x = fma(0.2621278482346651, t43, reduced_force_x);
+        let reduced_force_y = fma(-0.21076031493192482, t42, force_y - fma(-omega_x, t4, omega_z * t6));
+        let reduced_force_y = fma(0.11949421156607871, t43, reduced_force_y);
+        let reduced_force_z = fma(-0.07572646688984461, t42, force_z - fma(-omega_y, t6, omega_x * t2));
+        let reduced_force_z = fma(-0.3803708998478266, t43, reduced_force_z);
+        let reduced_moment_x = fma(-t28, t43, fma(-t27, t42, moment_x - (t7 + t9)));
+        let reduced_moment_y = fma(-t30, t43, fma(-t29, t42, moment_y - (t10 + t12)));
+        let reduced_moment_z = fma(-t32, t43, fma(-t31, t42, moment_z - (t13 + t15)));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t44 = fma(t41, -0.00280766132980851, fma(t38, -7.783874116004666e-5, t35 * -0.15894886803664116));
-        let t45 = fma(t41, -0.0007501754478183902, fma(t38, -0.1581839850156077, t35 * -7.783874116004666e-5));
-        let t46 = fma(t41, 0.1605622514848684, fma(t38, 0.0007501754478183902, t35 * 0.00280766132980851));
-        let t47 = fma(t42, 0.00280766132980851, fma(t39, -7.783874116004666e-5, t36 * 0.15894886803664116));
-        let t48 = fma(t42, 0.0007501754478183902, fma(t39, -0.1581839850156077, t36 * 7.783874116004666e-5));
-        let t49 = fma(t42, -0.1605622514848684, fma(t39, 0.0007501754478183902, t36 * -0.00280766132980851));
-        let t50 = fma(t43, 0.00280766132980851, fma(t40, 7.783874116004666e-5, t37 * -0.15894886803664116));
-        let t51 = fma(t43, 0.0007501754478183902, fma(t40, 0.1581839850156077, t37 * -7.783874116004666e-5));
-        let t52 = fma(t43, -0.1605622514848684, fma(t40, -0.0007501754478183902, t37 * 0.00280766132980851));
-        let t53 = fma(reduced_force_y, 7.783874116004666e-5, reduced_force_x * 0.15894886803664116);
-        let t54 = fma(reduced_force_z, -0.00280766132980851, t53);
-        let t55 = fma(reduced_force_y, 0.1581839850156077, reduced_force_x * 7.783874116004666e-5);
-        let t56 = fma(reduced_force_z, -0.0007501754478183902, t55);
-        let t57 = fma(reduced_force_y, -0.0007501754478183902, reduced_force_x * -0.00280766132980851);
-        let t58 = fma(reduced_force_z, 0.1605622514848684, t57);
-        let t59 = fma(t38, t45, fma(t35, t44, fma(-t28, t28, fma(-t27, t27, inertia_xx))));
-        let t60 = fma(-t41, t46, t59);
-        let t61 = fma(t39, t48, fma(-t36, t47, fma(-t30, t30, fma(-t29, t29, inertia_yy))));
-        let t62 = fma(t42, t49, t61);
-        let t63 = fma(-t40, t51, fma(t37, t50, fma(-t32, t32, fma(-t31, t31, inertia_zz))));
-        let t64 = fma(t43, t52, t63);
-        let t65 = fma(t39, t51, fma(-t36, t50, fma(-t30, t32, fma(-t29, t31, inertia_yz))));
-        let t66 = fma(t42, t52, t65);
-        let t67 = fma(t38, t51, fma(t35, t50, fma(-t28, t32, fma(-t27, t31, inertia_xz))));
-        let t68 = fma(-t41, t52, t67);
-        let t69 = fma(t38, t48, fma(t35, t47, fma(-t28, t30, fma(-t27, t29, inertia_xy))));
-        let t70 = fma(-t41, t49, t69);
-        let t71 = fma(-t41, t58, fma(t38, t56, fma(t35, t54, reduced_moment_x)));
-        let t72 = fma(t42, t58, fma(t39, t56, fma(-t36, t54, reduced_moment_y)));
-        let t73 = fma(t43, t58, fma(-t40, t56, fma(t37, t54, reduced_moment_z)));
-        let t74 = fma(-t66, t66, t62 * t64);
-        let t75 = fma(-t62, t68, t66 * t70);
-        let t76 = fma(-t64, t70, t66 * t68);
-        let inverse_determinant = 1.0 / fma(t68, t75, fma(t70, t76, t60 * t74));
-        let t77 = fma(-t60, t66, t68 * t70) * inverse_determinant;
-        let t78 = t75 * inverse_determinant;
-        let t79 = t76 * inverse_determinant;
-        let angular_acceleration_x = fma(t73, t78, fma(t72, t79, t71 * (t74 * inverse_determinant)));
-        let angular_acceleration_y = fma(t72, fma(-t68, t68, t60 * t64) * inverse_determinant, t71 * t79);
-        let angular_acceleration_y = fma(t73, t77, angular_acceleration_y);
-        let angular_acceleration_z = fma(t73, fma(-t70, t70, t60 * t62) * inverse_determinant, fma(t72, t77, t71 * t78));
-        let acceleration_x = fma(-t47, angular_acceleration_y, fma(-t44, angular_acceleration_x, t54));
-        let acceleration_x = fma(-t50, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t48, angular_acceleration_y, fma(-t45, angular_acceleration_x, t56));
-        let acceleration_y = fma(-t51, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t49, angular_acceleration_y, fma(-t46, angular_acceleration_x, t58));
-        let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
+        let t44 = fma(t41, -0.1605622514848684, fma(t38, -0.0007501754478183902, t35 * 0.00280766132980851));
+        let t45 = fma(t41, 0.0007501754478183902, fma(t38, 0.1581839850156077, t35 * -7.783874116004666e-5));
+        let t46 = fma(t41, 0.00280766132980851, fma(t38, 7.783874116004666e-5, t35 * -0.15894886803664116));
+        let t47 = fma(t36, t45, fma(t33, t46, fma(-t28, t32, fma(-t27, t31, inertia_xz))));
+        let t48 = fma(-t39, t44, t47);
+        let t49 = fma(t40, -0.1605622514848684, fma(t37, 0.0007501754478183902, t34 * -0.00280766132980851));
+        let t50 = fma(t40, 0.0007501754478183902, fma(t37, -0.1581839850156077, t34 * 7.783874116004666e-5));
+        let t51 = fma(t40, 0.00280766132980851, fma(t37, -7.783874116004666e-5, t34 * 0.15894886803664116));
+        let t52 = fma(t37, t50, fma(-t34, t51, fma(-t30, t30, fma(-t29, t29, inertia_yy))));
+        let t53 = fma(t40, t49, t52);
+        let t54 = fma(t37, t45, fma(-t34, t46, fma(-t30, t32, fma(-t29, t31, inertia_yz))));
+        let t55 = fma(t40, t44, t54);
+        let t56 = fma(t36, t50, fma(t33, t51, fma(-t28, t30, fma(-t27, t29, inertia_xy))));
+        let t57 = fma(-t39, t49, t56);
+        let t58 = fma(-t53, t48, t55 * t57);
+        let t59 = fma(-t38, t45, fma(t35, t46, fma(-t32, t32, fma(-t31, t31, inertia_zz))));
+        let t60 = fma(t41, t44, t59);
+        let t61 = fma(-t60, t57, t55 * t48);
+        let t62 = fma(t39, 0.1605622514848684, fma(t36, 0.0007501754478183902, t33 * 0.00280766132980851));
+        let t63 = fma(t39, -0.0007501754478183902, fma(t36, -0.1581839850156077, t33 * -7.783874116004666e-5));
+        let t64 = fma(t39, -0.00280766132980851, fma(t36, -7.783874116004666e-5, t33 * -0.15894886803664116));
+        let t65 = fma(t36, t63, fma(t33, t64, fma(-t28, t28, fma(-t27, t27, inertia_xx))));
+        let t66 = fma(-t39, t62, t65);
+        let t67 = fma(-t55, t55, t53 * t60);
+        let inverse_determinant = 1.0 / fma(t48, t58, fma(t57, t61, t66 * t67));
+        let t68 = fma(reduced_force_y, -0.0007501754478183902, reduced_force_x * -0.00280766132980851);
+        let t69 = fma(reduced_force_z, 0.1605622514848684, t68);
+        let t70 = fma(reduced_force_y, 0.1581839850156077, reduced_force_x * 7.783874116004666e-5);
+        let t71 = fma(reduced_force_z, -0.0007501754478183902, t70);
+        let t72 = fma(reduced_force_y, 7.783874116004666e-5, reduced_force_x * 0.15894886803664116);
+        let t73 = fma(reduced_force_z, -0.00280766132980851, t72);
+        let t74 = fma(t41, t69, fma(-t38, t71, fma(t35, t73, reduced_moment_z)));
+        let t75 = t58 * inverse_determinant;
+        let t76 = fma(t40, t69, fma(t37, t71, fma(-t34, t73, reduced_moment_y)));
+        let t77 = t61 * inverse_determinant;
+        let t78 = fma(-t39, t69, fma(t36, t71, fma(t33, t73, reduced_moment_x)));
+        let angular_acceleration_x = fma(t74, t75, fma(t76, t77, t78 * (t67 * inverse_determinant)));
+        let t79 = fma(-t66, t55, t48 * t57) * inverse_determinant;
+        let angular_acceleration_y = fma(t76, fma(-t48, t48, t66 * t60) * inverse_determinant, t78 * t77);
+        let angular_acceleration_y = fma(t74, t79, angular_acceleration_y);
+        let angular_acceleration_z = fma(t74, fma(-t57, t57, t66 * t53) * inverse_determinant, fma(t76, t79, t78 * t75));
+        let acceleration_x = fma(-t51, angular_acceleration_y, fma(-t64, angular_acceleration_x, t73));
+        let acceleration_x = fma(-t46, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t50, angular_acceleration_y, fma(-t63, angular_acceleration_x, t71));
+        let acceleration_y = fma(-t45, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t49, angular_acceleration_y, fma(-t62, angular_acceleration_x, t69));
+        let acceleration_z = fma(-t44, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t80 = fma(-0.21076031493192482, acceleration_y, fma(0.13640051118209368, acceleration_x, t33));
-        let t81 = fma(-t27, angular_acceleration_x, fma(-0.07572646688984461, acceleration_z, t80));
-        let t82 = fma(-t31, angular_acceleration_z, fma(-t29, angular_acceleration_y, t81));
-        let t83 = fma(0.11949421156607871, acceleration_y, fma(0.2621278482346651, acceleration_x, t34));
-        let t84 = fma(-t28, angular_acceleration_x, fma(-0.3803708998478266, acceleration_z, t83));
-        let t85 = fma(-t32, angular_acceleration_z, fma(-t30, angular_acceleration_y, t84));
-        let t86 = 0.7816444002421177 * t85;
+        let t80 = fma(0.11949421156607871, acceleration_y, fma(0.2621278482346651, acceleration_x, t43));
+        let t81 = fma(-t28, angular_acceleration_x, fma(-0.3803708998478266, acceleration_z, t80));
+        let t82 = fma(-t32, angular_acceleration_z, fma(-t30, angular_acceleration_y, t81));
+        let t83 = 0.7816444002421177 * t82;
+        let t84 = fma(-0.21076031493192482, acceleration_y, fma(0.13640051118209368, acceleration_x, t42));
+        let t85 = fma(-t27, angular_acceleration_x, fma(-0.07572646688984461, acceleration_z, t84));
+        let t86 = fma(-t31, angular_acceleration_z, fma(-t29, angular_acceleration_y, t85));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            0.8025943022469433 * fma(0.349841516564402, t86, t82), t86,
+            0.8025943022469433 * fma(0.349841516564402, t83, t86), t83,
         ]
     }
 
@@ -539,15 +539,15 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(-0.2876357863381134, q_dot1, -0.16994951347178364 * q_dot0);
-        let t2 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
+        let t1 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(0.4601368236989972, q_dot1, 0.09435211124454879 * q_dot0);
-        let t4 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t7 = fma(-omega_z, t5, omega_y * t6);
-        let t8 = fma(-omega_x, t6, omega_z * t4);
-        let t9 = fma(-omega_y, t4, omega_x * t5);
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-omega_z, t2, omega_y * t4);
+        let t6 = fma(-0.2876357863381134, q_dot1, -0.16994951347178364 * q_dot0);
+        let t7 = fma(t6, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(-omega_x, t4, omega_z * t7);
+        let t9 = fma(-omega_y, t7, omega_x * t2);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -560,51 +560,51 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t10 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t11 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t12 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t13 = omega_x * 2.0;
-        let t14 = omega_y * 2.0;
-        let t15 = omega_z * 2.0;
-        let t16 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t13));
-        let t17 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t14));
-        let t18 = fma(rate_trace - rate_zz, t15, -fma(omega_y, rate_yz, omega_x * rate_xz));
-        let t19 = t10 + t16;
-        let t20 = t11 + t17;
-        let t21 = t12 + t18;
+        let t11 = omega_x * 2.0;
+        let t12 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t11));
+        let t13 = t10 + t12;
+        let t14 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t15 = omega_y * 2.0;
+        let t16 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t15));
+        let t17 = t14 + t16;
+        let t18 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t19 = omega_z * 2.0;
+        let t20 = fma(rate_trace - rate_zz, t19, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t21 = t18 + t20;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t22 = omega_x * omega_x;
-        let t23 = omega_y * omega_y;
-        let t24 = omega_z * omega_z;
-        let t25 = t23 + t24;
-        let t26 = t23 - t22;
-        let t27 = t24 - t22;
-        let t28 = omega_x * omega_y;
-        let t29 = omega_x * omega_z;
-        let t30 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t25, moment_yy0 * t26));
-        let modal_quadratic0 = fma(moment_yz0, t30, fma(moment_xz0, t29, fma(moment_xy0, t28, modal_quadratic0)));
         let whirl_x0 = -0.25002433544061975 * q_dot1;
         let whirl_y0 = 0.06630995506722814 * q_dot1;
         let whirl_z0 = -0.00536801568094894 * q_dot1;
-        let modal_quadratic0 = fma(t15, whirl_z0, fma(t14, whirl_y0, fma(t13, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t25, moment_yy1 * t26));
-        let modal_quadratic1 = fma(moment_yz1, t30, fma(moment_xz1, t29, fma(moment_xy1, t28, modal_quadratic1)));
+        let t22 = omega_y * omega_z;
+        let t23 = omega_x * omega_z;
+        let t24 = omega_x * omega_y;
+        let t25 = omega_z * omega_z;
+        let t26 = omega_x * omega_x;
+        let t27 = t25 - t26;
+        let t28 = omega_y * omega_y;
+        let t29 = t28 + t25;
+        let t30 = t28 - t26;
+        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t29, moment_yy0 * t30));
+        let modal_quadratic0 = fma(moment_yz0, t22, fma(moment_xz0, t23, fma(moment_xy0, t24, modal_quadratic0)));
+        let modal_quadratic0 = fma(t19, whirl_z0, fma(t15, whirl_y0, fma(t11, whirl_x0, modal_quadratic0)));
         let whirl_x1 = 0.25002433544061975 * q_dot0;
         let whirl_y1 = -0.06630995506722814 * q_dot0;
         let whirl_z1 = 0.00536801568094894 * q_dot0;
-        let modal_quadratic1 = fma(t15, whirl_z1, fma(t14, whirl_y1, fma(t13, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t29, moment_yy1 * t30));
+        let modal_quadratic1 = fma(moment_yz1, t22, fma(moment_xz1, t23, fma(moment_xy1, t24, modal_quadratic1)));
+        let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t31 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
-        let t32 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - t31;
+        let t32 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - t32;
 
         // Elimination of the modal accelerations (54 operations: 43 multiply-add, 11 multiply)
@@ -614,81 +614,81 @@ const _: () = {
         let t36 = 0.7816444002421177 * fma(0.349841516564402, t35, coupling_y1);
         let t37 = coupling_z0 * 0.8025943022469433;
         let t38 = 0.7816444002421177 * fma(0.349841516564402, t37, coupling_z1);
-        let t39 = modal_residual0 * 0.8025943022469433;
-        let t40 = 0.7816444002421177 * fma(0.349841516564402, t39, modal_residual1);
-        let t41 = fma(-0.2621278482346651, t34, -0.13640051118209368 * t33);
-        let t42 = fma(0.2621278482346651, t36, fma(0.13640051118209368, t35, first_moment_z));
-        let t43 = fma(-0.2621278482346651, t38, fma(-0.13640051118209368, t37, first_moment_y));
-        let t44 = fma(-0.11949421156607871, t34, fma(0.21076031493192482, t33, first_moment_z));
-        let t45 = fma(-0.11949421156607871, t36, 0.21076031493192482 * t35);
-        let t46 = fma(0.11949421156607871, t38, fma(-0.21076031493192482, t37, first_moment_x));
-        let t47 = fma(-0.3803708998478266, t34, fma(-0.07572646688984461, t33, first_moment_y));
-        let t48 = fma(0.3803708998478266, t36, fma(0.07572646688984461, t35, first_moment_x));
-        let t49 = fma(0.3803708998478266, t38, 0.07572646688984461 * t37);
-        let reduced_force_x = fma(0.2621278482346651, t40, fma(0.13640051118209368, t39, force_x - t7));
-        let reduced_force_y = fma(0.11949421156607871, t40, fma(-0.21076031493192482, t39, force_y - t8));
-        let reduced_force_z = fma(-0.3803708998478266, t40, fma(-0.07572646688984461, t39, force_z - t9));
-        let reduced_moment_x = fma(-t34, t40, fma(-t33, t39, moment_x - t19));
-        let reduced_moment_y = fma(-t36, t40, fma(-t35, t39, moment_y - t20));
-        let reduced_moment_z = fma(-t38, t40, fma(-t37, t39, moment_z - t21));
+        let t39 = fma(-0.2621278482346651, t34, -0.13640051118209368 * t33);
+        let t40 = fma(0.2621278482346651, t36, fma(0.13640051118209368, t35, first_moment_z));
+        let t41 = fma(-0.2621278482346651, t38, fma(-0.13640051118209368, t37, first_moment_y));
+        let t42 = fma(-0.11949421156607871, t34, fma(0.21076031493192482, t33, first_moment_z));
+        let t43 = fma(-0.11949421156607871, t36, 0.21076031493192482 * t35);
+        let t44 = fma(0.11949421156607871, t38, fma(-0.21076031493192482, t37, first_moment_x));
+        let t45 = fma(-0.3803708998478266, t34, fma(-0.07572646688984461, t33, first_moment_y));
+        let t46 = fma(0.3803708998478266, t36, fma(0.07572646688984461, t35, first_moment_x));
+        let t47 = fma(0.3803708998478266, t38, 0.07572646688984461 * t37);
+        let t48 = modal_residual0 * 0.8025943022469433;
+        let t49 = 0.7816444002421177 * fma(0.349841516564402, t48, modal_residual1);
+        let reduced_force_x = fma(0.2621278482346651, t49, fma(0.13640051118209368, t48, force_x - t5));
+        let reduced_force_y = fma(0.11949421156607871, t49, fma(-0.21076031493192482, t48, force_y - t8));
+        let reduced_force_z = fma(-0.3803708998478266, t49, fma(-0.07572646688984461, t48, force_z - t9));
+        let reduced_moment_x = fma(-t34, t49, fma(-t33, t48, moment_x - t13));
+        let reduced_moment_y = fma(-t36, t49, fma(-t35, t48, moment_y - t17));
+        let reduced_moment_z = fma(-t38, t49, fma(-t37, t48, moment_z - t21));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t50 = fma(t47, -0.00280766132980851, fma(t44, -7.783874116004666e-5, t41 * -0.15894886803664116));
-        let t51 = fma(t47, -0.0007501754478183902, fma(t44, -0.1581839850156077, t41 * -7.783874116004666e-5));
-        let t52 = fma(t47, 0.1605622514848684, fma(t44, 0.0007501754478183902, t41 * 0.00280766132980851));
-        let t53 = fma(t48, 0.00280766132980851, fma(t45, -7.783874116004666e-5, t42 * 0.15894886803664116));
-        let t54 = fma(t48, 0.0007501754478183902, fma(t45, -0.1581839850156077, t42 * 7.783874116004666e-5));
-        let t55 = fma(t48, -0.1605622514848684, fma(t45, 0.0007501754478183902, t42 * -0.00280766132980851));
-        let t56 = fma(t49, 0.00280766132980851, fma(t46, 7.783874116004666e-5, t43 * -0.15894886803664116));
-        let t57 = fma(t49, 0.0007501754478183902, fma(t46, 0.1581839850156077, t43 * -7.783874116004666e-5));
-        let t58 = fma(t49, -0.1605622514848684, fma(t46, -0.0007501754478183902, t43 * 0.00280766132980851));
-        let t59 = fma(reduced_force_y, 7.783874116004666e-5, reduced_force_x * 0.15894886803664116);
-        let t60 = fma(reduced_force_z, -0.00280766132980851, t59);
-        let t61 = fma(reduced_force_y, 0.1581839850156077, reduced_force_x * 7.783874116004666e-5);
-        let t62 = fma(reduced_force_z, -0.0007501754478183902, t61);
-        let t63 = fma(reduced_force_y, -0.0007501754478183902, reduced_force_x * -0.00280766132980851);
-        let t64 = fma(reduced_force_z, 0.1605622514848684, t63);
-        let t65 = fma(t44, t51, fma(t41, t50, fma(-t34, t34, fma(-t33, t33, inertia_xx))));
-        let t66 = fma(-t47, t52, t65);
-        let t67 = fma(t45, t54, fma(-t42, t53, fma(-t36, t36, fma(-t35, t35, inertia_yy))));
-        let t68 = fma(t48, t55, t67);
-        let t69 = fma(-t46, t57, fma(t43, t56, fma(-t38, t38, fma(-t37, t37, inertia_zz))));
-        let t70 = fma(t49, t58, t69);
-        let t71 = fma(t45, t57, fma(-t42, t56, fma(-t36, t38, fma(-t35, t37, inertia_yz))));
-        let t72 = fma(t48, t58, t71);
-        let t73 = fma(t44, t57, fma(t41, t56, fma(-t34, t38, fma(-t33, t37, inertia_xz))));
-        let t74 = fma(-t47, t58, t73);
-        let t75 = fma(t44, t54, fma(t41, t53, fma(-t34, t36, fma(-t33, t35, inertia_xy))));
-        let t76 = fma(-t47, t55, t75);
-        let t77 = fma(-t47, t64, fma(t44, t62, fma(t41, t60, reduced_moment_x)));
-        let t78 = fma(t48, t64, fma(t45, t62, fma(-t42, t60, reduced_moment_y)));
-        let t79 = fma(t49, t64, fma(-t46, t62, fma(t43, t60, reduced_moment_z)));
-        let t80 = fma(-t72, t72, t68 * t70);
-        let t81 = fma(-t68, t74, t72 * t76);
-        let t82 = fma(-t70, t76, t72 * t74);
-        let inverse_determinant = 1.0 / fma(t74, t81, fma(t76, t82, t66 * t80));
-        let t83 = fma(-t66, t72, t74 * t76) * inverse_determinant;
-        let t84 = t81 * inverse_determinant;
-        let t85 = t82 * inverse_determinant;
-        let angular_acceleration_x = fma(t79, t84, fma(t78, t85, t77 * (t80 * inverse_determinant)));
-        let angular_acceleration_y = fma(t78, fma(-t74, t74, t66 * t70) * inverse_determinant, t77 * t85);
-        let angular_acceleration_y = fma(t79, t83, angular_acceleration_y);
-        let angular_acceleration_z = fma(t79, fma(-t76, t76, t66 * t68) * inverse_determinant, fma(t78, t83, t77 * t84));
-        let acceleration_x = fma(-t53, angular_acceleration_y, fma(-t50, angular_acceleration_x, t60));
-        let acceleration_x = fma(-t56, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t54, angular_acceleration_y, fma(-t51, angular_acceleration_x, t62));
-        let acceleration_y = fma(-t57, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t55, angular_acceleration_y, fma(-t52, angular_acceleration_x, t64));
-        let acceleration_z = fma(-t58, angular_acceleration_z, acceleration_z);
+        let t50 = fma(t47, -0.1605622514848684, fma(t44, -0.0007501754478183902, t41 * 0.00280766132980851));
+        let t51 = fma(t47, 0.0007501754478183902, fma(t44, 0.1581839850156077, t41 * -7.783874116004666e-5));
+        let t52 = fma(t47, 0.00280766132980851, fma(t44, 7.783874116004666e-5, t41 * -0.15894886803664116));
+        let t53 = fma(t42, t51, fma(t39, t52, fma(-t34, t38, fma(-t33, t37, inertia_xz))));
+        let t54 = fma(-t45, t50, t53);
+        let t55 = fma(t46, -0.1605622514848684, fma(t43, 0.0007501754478183902, t40 * -0.00280766132980851));
+        let t56 = fma(t46, 0.0007501754478183902, fma(t43, -0.1581839850156077, t40 * 7.783874116004666e-5));
+        let t57 = fma(t46, 0.00280766132980851, fma(t43, -7.783874116004666e-5, t40 * 0.15894886803664116));
+        let t58 = fma(t43, t56, fma(-t40, t57, fma(-t36, t36, fma(-t35, t35, inertia_yy))));
+        let t59 = fma(t46, t55, t58);
+        let t60 = fma(t43, t51, fma(-t40, t52, fma(-t36, t38, fma(-t35, t37, inertia_yz))));
+        let t61 = fma(t46, t50, t60);
+        let t62 = fma(t42, t56, fma(t39, t57, fma(-t34, t36, fma(-t33, t35, inertia_xy))));
+        let t63 = fma(-t45, t55, t62);
+        let t64 = fma(-t59, t54, t61 * t63);
+        let t65 = fma(-t44, t51, fma(t41, t52, fma(-t38, t38, fma(-t37, t37, inertia_zz))));
+        let t66 = fma(t47, t50, t65);
+        let t67 = fma(-t66, t63, t61 * t54);
+        let t68 = fma(t45, 0.1605622514848684, fma(t42, 0.0007501754478183902, t39 * 0.00280766132980851));
+        let t69 = fma(t45, -0.0007501754478183902, fma(t42, -0.1581839850156077, t39 * -7.783874116004666e-5));
+        let t70 = fma(t45, -0.00280766132980851, fma(t42, -7.783874116004666e-5, t39 * -0.15894886803664116));
+        let t71 = fma(t42, t69, fma(t39, t70, fma(-t34, t34, fma(-t33, t33, inertia_xx))));
+        let t72 = fma(-t45, t68, t71);
+        let t73 = fma(-t61, t61, t59 * t66);
+        let inverse_determinant = 1.0 / fma(t54, t64, fma(t63, t67, t72 * t73));
+        let t74 = fma(reduced_force_y, -0.0007501754478183902, reduced_force_x * -0.00280766132980851);
+        let t75 = fma(reduced_force_z, 0.1605622514848684, t74);
+        let t76 = fma(reduced_force_y, 0.1581839850156077, reduced_force_x * 7.783874116004666e-5);
+        let t77 = fma(reduced_force_z, -0.0007501754478183902, t76);
+        let t78 = fma(reduced_force_y, 7.783874116004666e-5, reduced_force_x * 0.15894886803664116);
+        let t79 = fma(reduced_force_z, -0.00280766132980851, t78);
+        let t80 = fma(t47, t75, fma(-t44, t77, fma(t41, t79, reduced_moment_z)));
+        let t81 = t64 * inverse_determinant;
+        let t82 = fma(t46, t75, fma(t43, t77, fma(-t40, t79, reduced_moment_y)));
+        let t83 = t67 * inverse_determinant;
+        let t84 = fma(-t45, t75, fma(t42, t77, fma(t39, t79, reduced_moment_x)));
+        let angular_acceleration_x = fma(t80, t81, fma(t82, t83, t84 * (t73 * inverse_determinant)));
+        let t85 = fma(-t72, t61, t54 * t63) * inverse_determinant;
+        let angular_acceleration_y = fma(t82, fma(-t54, t54, t72 * t66) * inverse_determinant, t84 * t83);
+        let angular_acceleration_y = fma(t80, t85, angular_acceleration_y);
+        let angular_acceleration_z = fma(t80, fma(-t63, t63, t72 * t59) * inverse_determinant, fma(t82, t85, t84 * t81));
+        let acceleration_x = fma(-t57, angular_acceleration_y, fma(-t70, angular_acceleration_x, t79));
+        let acceleration_x = fma(-t52, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t56, angular_acceleration_y, fma(-t69, angular_acceleration_x, t77));
+        let acceleration_y = fma(-t51, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t55, angular_acceleration_y, fma(-t68, angular_acceleration_x, t75));
+        let acceleration_z = fma(-t50, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t86 = fma(-0.21076031493192482, acceleration_y, fma(0.13640051118209368, acceleration_x, t39));
-        let t87 = fma(-t33, angular_acceleration_x, fma(-0.07572646688984461, acceleration_z, t86));
-        let t88 = fma(-t37, angular_acceleration_z, fma(-t35, angular_acceleration_y, t87));
-        let t89 = fma(0.11949421156607871, acceleration_y, fma(0.2621278482346651, acceleration_x, t40));
-        let t90 = fma(-t34, angular_acceleration_x, fma(-0.3803708998478266, acceleration_z, t89));
-        let t91 = fma(-t38, angular_acceleration_z, fma(-t36, angular_acceleration_y, t90));
-        let t92 = 0.7816444002421177 * t91;
+        let t86 = fma(0.11949421156607871, acceleration_y, fma(0.2621278482346651, acceleration_x, t49));
+        let t87 = fma(-t34, angular_acceleration_x, fma(-0.3803708998478266, acceleration_z, t86));
+        let t88 = fma(-t38, angular_acceleration_z, fma(-t36, angular_acceleration_y, t87));
+        let t89 = 0.7816444002421177 * t88;
+        let t90 = fma(-0.21076031493192482, acceleration_y, fma(0.13640051118209368, acceleration_x, t48));
+        let t91 = fma(-t33, angular_acceleration_x, fma(-0.07572646688984461, acceleration_z, t90));
+        let t92 = fma(-t37, angular_acceleration_z, fma(-t35, angular_acceleration_y, t91));
 
         (
             [
@@ -725,11 +725,11 @@ const _: () = {
                     coupling_z1, -0.4358883630060487, 1.7591361040228608,
                 ],
             ],
-            [t7, t8, t9, t19, t20, t21, modal_quadratic0, modal_quadratic1],
+            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
-                0.8025943022469433 * fma(0.349841516564402, t92, t88), t92,
+                0.8025943022469433 * fma(0.349841516564402, t89, t92), t89,
             ],
         )
     }
@@ -786,31 +786,31 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
 
         // Twice the energy: v · P + ω · L + q̇ · p (70 operations: 42 multiply-add, 19 multiply, 9 add)
-        let t1 = fma(6.38059239023797, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(6.38059239023797, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(6.38059239023797, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(-0.2876357863381134, q_dot1, fma(-0.16994951347178364, q_dot0, t1));
-        let t5 = fma(-0.2266081225633984, q_dot1, fma(0.26259881778612204, q_dot0, t2));
-        let t6 = fma(0.4601368236989972, q_dot1, fma(0.09435211124454879, q_dot0, t3));
-        let t7 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t8 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t10 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t11 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let t12 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
-        let t13 = omega_x * (fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t7 + t10));
-        let t14 = fma(omega_y, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t8 + t11), t13);
-        let t15 = fma(omega_z, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t9 + t12), t14);
-        let t16 = fma(velocity_z, t6, fma(velocity_y, t5, velocity_x * t4)) + t15;
         let modal_momentum0 = fma(0.26259881778612204, velocity_y, -0.16994951347178364 * velocity_x);
-        let t17 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
-        let modal_momentum0 = fma(1.552415089517443, q_dot0, fma(0.09435211124454879, velocity_z, modal_momentum0) + t17);
+        let t1 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
+        let modal_momentum0 = fma(1.552415089517443, q_dot0, fma(0.09435211124454879, velocity_z, modal_momentum0) + t1);
         let modal_momentum0 = fma(-0.4358883630060487, q_dot1, modal_momentum0);
         let modal_momentum1 = fma(-0.2266081225633984, velocity_y, -0.2876357863381134 * velocity_x);
-        let t18 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
-        let modal_momentum1 = fma(-0.4358883630060487, q_dot0, fma(0.4601368236989972, velocity_z, modal_momentum1) + t18);
+        let t2 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
+        let modal_momentum1 = fma(-0.4358883630060487, q_dot0, fma(0.4601368236989972, velocity_z, modal_momentum1) + t2);
         let modal_momentum1 = fma(1.7591361040228608, q_dot1, modal_momentum1);
-        let t19 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t16));
+        let t3 = fma(6.38059239023797, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(0.4601368236989972, q_dot1, fma(0.09435211124454879, q_dot0, t3));
+        let t5 = fma(6.38059239023797, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t6 = fma(-0.2266081225633984, q_dot1, fma(0.26259881778612204, q_dot0, t5));
+        let t7 = fma(6.38059239023797, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(-0.2876357863381134, q_dot1, fma(-0.16994951347178364, q_dot0, t7));
+        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
+        let t10 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let t11 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t12 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t13 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
+        let t14 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t15 = omega_x * (fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t13 + t14));
+        let t16 = fma(omega_y, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t11 + t12), t15);
+        let t17 = fma(omega_z, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t9 + t10), t16);
+        let t18 = fma(velocity_z, t4, fma(velocity_y, t6, velocity_x * t8)) + t17;
+        let t19 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t18));
 
         t19 * 0.5
     }
@@ -849,13 +849,13 @@ const _: () = {
 
         // Deformed inertia tensor Θ_rr (15 operations: 12 multiply-add, 3 multiply)
         let t1 = fma(6.38059239023797, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(6.38059239023797, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(6.38059239023797, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(-0.2876357863381134, q_dot1, fma(-0.16994951347178364, q_dot0, t1));
-        let t5 = fma(-0.2266081225633984, q_dot1, fma(0.26259881778612204, q_dot0, t2));
-        let t6 = fma(0.4601368236989972, q_dot1, fma(0.09435211124454879, q_dot0, t3));
+        let t2 = fma(-0.2876357863381134, q_dot1, fma(-0.16994951347178364, q_dot0, t1));
+        let t3 = fma(6.38059239023797, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t4 = fma(-0.2266081225633984, q_dot1, fma(0.26259881778612204, q_dot0, t3));
+        let t5 = fma(6.38059239023797, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t6 = fma(0.4601368236989972, q_dot1, fma(0.09435211124454879, q_dot0, t5));
 
-        [t4, t5, t6]
+        [t2, t4, t6]
     }
 
     /// Angular momentum about the frame origin.
@@ -909,16 +909,16 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, -0.12190363778058351);
         let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
         let t1 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t2 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t3 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t4 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t5 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t2 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t3 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t4 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t5 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
         let t6 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
 
         [
-            fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t1 + t4),
-            fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t2 + t5),
-            fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t3 + t6),
+            fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t1 + t2),
+            fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t3 + t4),
+            fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t5 + t6),
         ]
     }
 

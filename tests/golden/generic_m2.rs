@@ -244,12 +244,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(constant(0.260950312316442), q_dot1, constant(0.1808945023903729) * q_dot0);
-        let t2 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
+        let t1 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
+        let t2 = fma(t1, constant(2.0), fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(constant(0.018906293194520626), q_dot1, constant(-0.253438228790526) * q_dot0);
-        let t4 = fma(t1, constant(2.0), fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, constant(2.0), fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, constant(2.0), fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(t3, constant(2.0), fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(constant(0.260950312316442), q_dot1, constant(0.1808945023903729) * q_dot0);
+        let t6 = fma(t5, constant(2.0), fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -262,47 +262,47 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * constant(2.0);
+        let t8 = omega_x * constant(2.0);
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * constant(2.0);
-        let t12 = omega_z * constant(2.0);
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * constant(2.0);
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = constant(0.0028125582436418217) * q_dot1;
         let whirl_y0 = constant(-0.07987792735250446) * q_dot1;
         let whirl_z0 = constant(0.021568360421953092) * q_dot1;
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = constant(-0.0028125582436418217) * q_dot0;
         let whirl_y1 = constant(0.07987792735250446) * q_dot0;
         let whirl_z1 = constant(-0.021568360421953092) * q_dot0;
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
 
         [
-            fma(-omega_z, t5, omega_y * t6), fma(-omega_x, t6, omega_z * t4),
-            fma(-omega_y, t4, omega_x * t5), t7 + t13, t8 + t14, t9 + t15, modal_quadratic0,
+            fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+            fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
             modal_quadratic1,
         ]
     }
@@ -378,12 +378,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(constant(0.260950312316442), q_dot1, constant(0.1808945023903729) * q_dot0);
-        let t2 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
+        let t1 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
+        let t2 = fma(t1, constant(2.0), fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(constant(0.018906293194520626), q_dot1, constant(-0.253438228790526) * q_dot0);
-        let t4 = fma(t1, constant(2.0), fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, constant(2.0), fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, constant(2.0), fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(t3, constant(2.0), fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(constant(0.260950312316442), q_dot1, constant(0.1808945023903729) * q_dot0);
+        let t6 = fma(t5, constant(2.0), fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -396,48 +396,48 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * constant(2.0);
+        let t8 = omega_x * constant(2.0);
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * constant(2.0);
-        let t12 = omega_z * constant(2.0);
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * constant(2.0);
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = constant(0.0028125582436418217) * q_dot1;
         let whirl_y0 = constant(-0.07987792735250446) * q_dot1;
         let whirl_z0 = constant(0.021568360421953092) * q_dot1;
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = constant(-0.0028125582436418217) * q_dot0;
         let whirl_y1 = constant(0.07987792735250446) * q_dot0;
         let whirl_z1 = constant(-0.021568360421953092) * q_dot0;
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t25 = fma(constant(0.060988838275967676), q1, constant(40.18021554692058) * q0);
-        let t26 = fma(constant(70.13421321366216), q1, constant(0.060988838275967676) * q0);
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(constant(0.4018021554692058), q_dot0, t25);
+        let t26 = fma(constant(70.13421321366216), q1, constant(0.060988838275967676) * q0);
         let modal_residual1 = modal_force1 - modal_quadratic1 - fma(constant(0.7013421321366217), q_dot1, t26);
 
         // Elimination of the modal accelerations (42 operations: 39 multiply-add, 3 multiply)
@@ -462,67 +462,67 @@ const _: () = {
         let t45 = fma(constant(-0.253438228790526), coupling_y0, first_moment_x);
         let t46 = fma(constant(0.018906293194520626), coupling_y1, t45);
         let t47 = fma(constant(0.018906293194520626), coupling_z1, constant(-0.253438228790526) * coupling_z0);
-        let reduced_force_x = fma(constant(-0.1808945023903729), modal_residual0, force_x - fma(-omega_z, t5, omega_y * t6));
+        let reduced_force_x = fma(constant(-0.1808945023903729), modal_residual0, force_x - fma(-omega_z, t2, omega_y * t4));
         let reduced_force_x = fma(constant(-0.260950312316442), modal_residual1, reduced_force_x);
-        let reduced_force_y = fma(constant(-0.036312876401983746), modal_residual0, force_y - fma(-omega_x, t6, omega_z * t4));
+        let reduced_force_y = fma(constant(-0.036312876401983746), modal_residual0, force_y - fma(-omega_x, t4, omega_z * t6));
         let reduced_force_y = fma(constant(-0.04434516152818317), modal_residual1, reduced_force_y);
-        let reduced_force_z = fma(constant(0.253438228790526), modal_residual0, force_z - fma(-omega_y, t4, omega_x * t5));
+        let reduced_force_z = fma(constant(0.253438228790526), modal_residual0, force_z - fma(-omega_y, t6, omega_x * t2));
         let reduced_force_z = fma(constant(-0.018906293194520626), modal_residual1, reduced_force_z);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t13)));
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t8 + t14)));
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t9 + t15)));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t9)));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
+        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t48 = fma(t39, constant(-0.00026616385403660926), t33 * constant(-0.12170838947130831));
-        let t49 = fma(t44, constant(-0.0006036179018651099), t48);
-        let t50 = fma(t39, constant(-0.12027778732005565), t33 * constant(-0.00026616385403660926));
-        let t51 = fma(t44, constant(-0.00012322715833298665), t50);
-        let t52 = fma(t39, constant(0.00012322715833298665), t33 * constant(0.0006036179018651099));
-        let t53 = fma(t44, constant(0.12117363585233806), t52);
-        let t54 = fma(t40, constant(-0.00026616385403660926), t35 * constant(0.12170838947130831));
-        let t55 = fma(t46, constant(0.0006036179018651099), t54);
-        let t56 = fma(t40, constant(-0.12027778732005565), t35 * constant(0.00026616385403660926));
-        let t57 = fma(t46, constant(0.00012322715833298665), t56);
-        let t58 = fma(t40, constant(0.00012322715833298665), t35 * constant(-0.0006036179018651099));
-        let t59 = fma(t46, constant(-0.12117363585233806), t58);
-        let t60 = fma(t42, constant(0.00026616385403660926), t37 * constant(-0.12170838947130831));
-        let t61 = fma(t47, constant(0.0006036179018651099), t60);
-        let t62 = fma(t42, constant(0.12027778732005565), t37 * constant(-0.00026616385403660926));
-        let t63 = fma(t47, constant(0.00012322715833298665), t62);
-        let t64 = fma(t42, constant(-0.00012322715833298665), t37 * constant(0.0006036179018651099));
-        let t65 = fma(t47, constant(-0.12117363585233806), t64);
-        let t66 = fma(reduced_force_y, constant(0.00026616385403660926), reduced_force_x * constant(0.12170838947130831));
-        let t67 = fma(reduced_force_z, constant(-0.0006036179018651099), t66);
-        let t68 = fma(reduced_force_y, constant(0.12027778732005565), reduced_force_x * constant(0.00026616385403660926));
-        let t69 = fma(reduced_force_z, constant(-0.00012322715833298665), t68);
-        let t70 = fma(reduced_force_y, constant(-0.00012322715833298665), reduced_force_x * constant(-0.0006036179018651099));
-        let t71 = fma(reduced_force_z, constant(0.12117363585233806), t70);
-        let t72 = fma(-t44, t53, fma(t39, t51, fma(t33, t49, t27)));
-        let t73 = fma(t46, t59, fma(t40, t57, fma(-t35, t55, t28)));
-        let t74 = fma(t47, t65, fma(-t42, t63, fma(t37, t61, t29)));
-        let t75 = fma(t46, t65, fma(t40, t63, fma(-t35, t61, t30)));
-        let t76 = fma(-t44, t65, fma(t39, t63, fma(t33, t61, t31)));
-        let t77 = fma(-t44, t59, fma(t39, t57, fma(t33, t55, t32)));
-        let t78 = fma(-t44, t71, fma(t39, t69, fma(t33, t67, reduced_moment_x)));
-        let t79 = fma(t46, t71, fma(t40, t69, fma(-t35, t67, reduced_moment_y)));
-        let t80 = fma(t47, t71, fma(-t42, t69, fma(t37, t67, reduced_moment_z)));
-        let t81 = fma(-t75, t75, t73 * t74);
-        let t82 = fma(-t73, t76, t75 * t77);
-        let t83 = fma(-t74, t77, t75 * t76);
-        let inverse_determinant = constant(1.0) / fma(t76, t82, fma(t77, t83, t72 * t81));
-        let t84 = fma(-t72, t75, t76 * t77) * inverse_determinant;
-        let t85 = t82 * inverse_determinant;
-        let t86 = t83 * inverse_determinant;
-        let angular_acceleration_x = fma(t80, t85, fma(t79, t86, t78 * (t81 * inverse_determinant)));
-        let angular_acceleration_y = fma(t79, fma(-t76, t76, t72 * t74) * inverse_determinant, t78 * t86);
-        let angular_acceleration_y = fma(t80, t84, angular_acceleration_y);
-        let angular_acceleration_z = fma(t80, fma(-t77, t77, t72 * t73) * inverse_determinant, fma(t79, t84, t78 * t85));
-        let acceleration_x = fma(-t55, angular_acceleration_y, fma(-t49, angular_acceleration_x, t67));
-        let acceleration_x = fma(-t61, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t57, angular_acceleration_y, fma(-t51, angular_acceleration_x, t69));
-        let acceleration_y = fma(-t63, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t53, angular_acceleration_x, t71));
-        let acceleration_z = fma(-t65, angular_acceleration_z, acceleration_z);
+        let t48 = fma(t42, constant(-0.00012322715833298665), t37 * constant(0.0006036179018651099));
+        let t49 = fma(t47, constant(-0.12117363585233806), t48);
+        let t50 = fma(t42, constant(0.12027778732005565), t37 * constant(-0.00026616385403660926));
+        let t51 = fma(t47, constant(0.00012322715833298665), t50);
+        let t52 = fma(t42, constant(0.00026616385403660926), t37 * constant(-0.12170838947130831));
+        let t53 = fma(t47, constant(0.0006036179018651099), t52);
+        let t54 = fma(-t44, t49, fma(t39, t51, fma(t33, t53, t31)));
+        let t55 = fma(t40, constant(0.00012322715833298665), t35 * constant(-0.0006036179018651099));
+        let t56 = fma(t46, constant(-0.12117363585233806), t55);
+        let t57 = fma(t40, constant(-0.12027778732005565), t35 * constant(0.00026616385403660926));
+        let t58 = fma(t46, constant(0.00012322715833298665), t57);
+        let t59 = fma(t40, constant(-0.00026616385403660926), t35 * constant(0.12170838947130831));
+        let t60 = fma(t46, constant(0.0006036179018651099), t59);
+        let t61 = fma(t46, t56, fma(t40, t58, fma(-t35, t60, t28)));
+        let t62 = fma(t46, t49, fma(t40, t51, fma(-t35, t53, t30)));
+        let t63 = fma(-t44, t56, fma(t39, t58, fma(t33, t60, t32)));
+        let t64 = fma(-t61, t54, t62 * t63);
+        let t65 = fma(t47, t49, fma(-t42, t51, fma(t37, t53, t29)));
+        let t66 = fma(-t65, t63, t62 * t54);
+        let t67 = fma(t39, constant(0.00012322715833298665), t33 * constant(0.0006036179018651099));
+        let t68 = fma(t44, constant(0.12117363585233806), t67);
+        let t69 = fma(t39, constant(-0.12027778732005565), t33 * constant(-0.00026616385403660926));
+        let t70 = fma(t44, constant(-0.00012322715833298665), t69);
+        let t71 = fma(t39, constant(-0.00026616385403660926), t33 * constant(-0.12170838947130831));
+        let t72 = fma(t44, constant(-0.0006036179018651099), t71);
+        let t73 = fma(-t44, t68, fma(t39, t70, fma(t33, t72, t27)));
+        let t74 = fma(-t62, t62, t61 * t65);
+        let inverse_determinant = constant(1.0) / fma(t54, t64, fma(t63, t66, t73 * t74));
+        let t75 = fma(reduced_force_y, constant(-0.00012322715833298665), reduced_force_x * constant(-0.0006036179018651099));
+        let t76 = fma(reduced_force_z, constant(0.12117363585233806), t75);
+        let t77 = fma(reduced_force_y, constant(0.12027778732005565), reduced_force_x * constant(0.00026616385403660926));
+        let t78 = fma(reduced_force_z, constant(-0.00012322715833298665), t77);
+        let t79 = fma(reduced_force_y, constant(0.00026616385403660926), reduced_force_x * constant(0.12170838947130831));
+        let t80 = fma(reduced_force_z, constant(-0.0006036179018651099), t79);
+        let t81 = fma(t47, t76, fma(-t42, t78, fma(t37, t80, reduced_moment_z)));
+        let t82 = t64 * inverse_determinant;
+        let t83 = fma(t46, t76, fma(t40, t78, fma(-t35, t80, reduced_moment_y)));
+        let t84 = t66 * inverse_determinant;
+        let t85 = fma(-t44, t76, fma(t39, t78, fma(t33, t80, reduced_moment_x)));
+        let angular_acceleration_x = fma(t81, t82, fma(t83, t84, t85 * (t74 * inverse_determinant)));
+        let t86 = fma(-t73, t62, t54 * t63) * inverse_determinant;
+        let angular_acceleration_y = fma(t83, fma(-t54, t54, t73 * t65) * inverse_determinant, t85 * t84);
+        let angular_acceleration_y = fma(t81, t86, angular_acceleration_y);
+        let angular_acceleration_z = fma(t81, fma(-t63, t63, t73 * t61) * inverse_determinant, fma(t83, t86, t85 * t82));
+        let acceleration_x = fma(-t60, angular_acceleration_y, fma(-t72, angular_acceleration_x, t80));
+        let acceleration_x = fma(-t53, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t58, angular_acceleration_y, fma(-t70, angular_acceleration_x, t78));
+        let acceleration_y = fma(-t51, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t56, angular_acceleration_y, fma(-t68, angular_acceleration_x, t76));
+        let acceleration_z = fma(-t49, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
         let t87 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
@@ -611,15 +611,15 @@ const _: () = {
         let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(constant(0.260950312316442), q_dot1, constant(0.1808945023903729) * q_dot0);
-        let t2 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
+        let t1 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
+        let t2 = fma(t1, constant(2.0), fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(constant(0.018906293194520626), q_dot1, constant(-0.253438228790526) * q_dot0);
-        let t4 = fma(t1, constant(2.0), fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, constant(2.0), fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, constant(2.0), fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t7 = fma(-omega_z, t5, omega_y * t6);
-        let t8 = fma(-omega_x, t6, omega_z * t4);
-        let t9 = fma(-omega_y, t4, omega_x * t5);
+        let t4 = fma(t3, constant(2.0), fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-omega_z, t2, omega_y * t4);
+        let t6 = fma(constant(0.260950312316442), q_dot1, constant(0.1808945023903729) * q_dot0);
+        let t7 = fma(t6, constant(2.0), fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(-omega_x, t4, omega_z * t7);
+        let t9 = fma(-omega_y, t7, omega_x * t2);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -632,51 +632,51 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t10 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t11 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t12 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t13 = omega_x * constant(2.0);
-        let t14 = omega_y * constant(2.0);
-        let t15 = omega_z * constant(2.0);
-        let t16 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t13));
-        let t17 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t14));
-        let t18 = fma(rate_trace - rate_zz, t15, -fma(omega_y, rate_yz, omega_x * rate_xz));
-        let t19 = t10 + t16;
-        let t20 = t11 + t17;
-        let t21 = t12 + t18;
+        let t11 = omega_x * constant(2.0);
+        let t12 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t11));
+        let t13 = t10 + t12;
+        let t14 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t15 = omega_y * constant(2.0);
+        let t16 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t15));
+        let t17 = t14 + t16;
+        let t18 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t19 = omega_z * constant(2.0);
+        let t20 = fma(rate_trace - rate_zz, t19, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t21 = t18 + t20;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t22 = omega_x * omega_x;
-        let t23 = omega_y * omega_y;
-        let t24 = omega_z * omega_z;
-        let t25 = t23 + t24;
-        let t26 = t23 - t22;
-        let t27 = t24 - t22;
-        let t28 = omega_x * omega_y;
-        let t29 = omega_x * omega_z;
-        let t30 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t25, moment_yy0 * t26));
-        let modal_quadratic0 = fma(moment_yz0, t30, fma(moment_xz0, t29, fma(moment_xy0, t28, modal_quadratic0)));
         let whirl_x0 = constant(0.0028125582436418217) * q_dot1;
         let whirl_y0 = constant(-0.07987792735250446) * q_dot1;
         let whirl_z0 = constant(0.021568360421953092) * q_dot1;
-        let modal_quadratic0 = fma(t15, whirl_z0, fma(t14, whirl_y0, fma(t13, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t25, moment_yy1 * t26));
-        let modal_quadratic1 = fma(moment_yz1, t30, fma(moment_xz1, t29, fma(moment_xy1, t28, modal_quadratic1)));
+        let t22 = omega_y * omega_z;
+        let t23 = omega_x * omega_z;
+        let t24 = omega_x * omega_y;
+        let t25 = omega_z * omega_z;
+        let t26 = omega_x * omega_x;
+        let t27 = t25 - t26;
+        let t28 = omega_y * omega_y;
+        let t29 = t28 + t25;
+        let t30 = t28 - t26;
+        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t29, moment_yy0 * t30));
+        let modal_quadratic0 = fma(moment_yz0, t22, fma(moment_xz0, t23, fma(moment_xy0, t24, modal_quadratic0)));
+        let modal_quadratic0 = fma(t19, whirl_z0, fma(t15, whirl_y0, fma(t11, whirl_x0, modal_quadratic0)));
         let whirl_x1 = constant(-0.0028125582436418217) * q_dot0;
         let whirl_y1 = constant(0.07987792735250446) * q_dot0;
         let whirl_z1 = constant(-0.021568360421953092) * q_dot0;
-        let modal_quadratic1 = fma(t15, whirl_z1, fma(t14, whirl_y1, fma(t13, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t29, moment_yy1 * t30));
+        let modal_quadratic1 = fma(moment_yz1, t22, fma(moment_xz1, t23, fma(moment_xy1, t24, modal_quadratic1)));
+        let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t31 = fma(constant(0.060988838275967676), q1, constant(40.18021554692058) * q0);
-        let t32 = fma(constant(70.13421321366216), q1, constant(0.060988838275967676) * q0);
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(constant(0.4018021554692058), q_dot0, t31);
+        let t32 = fma(constant(70.13421321366216), q1, constant(0.060988838275967676) * q0);
         let modal_residual1 = modal_force1 - modal_quadratic1 - fma(constant(0.7013421321366217), q_dot1, t32);
 
         // Elimination of the modal accelerations (42 operations: 39 multiply-add, 3 multiply)
@@ -701,67 +701,67 @@ const _: () = {
         let t51 = fma(constant(-0.253438228790526), coupling_y0, first_moment_x);
         let t52 = fma(constant(0.018906293194520626), coupling_y1, t51);
         let t53 = fma(constant(0.018906293194520626), coupling_z1, constant(-0.253438228790526) * coupling_z0);
-        let reduced_force_x = fma(constant(-0.1808945023903729), modal_residual0, force_x - t7);
+        let reduced_force_x = fma(constant(-0.1808945023903729), modal_residual0, force_x - t5);
         let reduced_force_x = fma(constant(-0.260950312316442), modal_residual1, reduced_force_x);
         let reduced_force_y = fma(constant(-0.036312876401983746), modal_residual0, force_y - t8);
         let reduced_force_y = fma(constant(-0.04434516152818317), modal_residual1, reduced_force_y);
         let reduced_force_z = fma(constant(0.253438228790526), modal_residual0, force_z - t9);
         let reduced_force_z = fma(constant(-0.018906293194520626), modal_residual1, reduced_force_z);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t19));
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t20));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t13));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t54 = fma(t45, constant(-0.00026616385403660926), t39 * constant(-0.12170838947130831));
-        let t55 = fma(t50, constant(-0.0006036179018651099), t54);
-        let t56 = fma(t45, constant(-0.12027778732005565), t39 * constant(-0.00026616385403660926));
-        let t57 = fma(t50, constant(-0.00012322715833298665), t56);
-        let t58 = fma(t45, constant(0.00012322715833298665), t39 * constant(0.0006036179018651099));
-        let t59 = fma(t50, constant(0.12117363585233806), t58);
-        let t60 = fma(t46, constant(-0.00026616385403660926), t41 * constant(0.12170838947130831));
-        let t61 = fma(t52, constant(0.0006036179018651099), t60);
-        let t62 = fma(t46, constant(-0.12027778732005565), t41 * constant(0.00026616385403660926));
-        let t63 = fma(t52, constant(0.00012322715833298665), t62);
-        let t64 = fma(t46, constant(0.00012322715833298665), t41 * constant(-0.0006036179018651099));
-        let t65 = fma(t52, constant(-0.12117363585233806), t64);
-        let t66 = fma(t48, constant(0.00026616385403660926), t43 * constant(-0.12170838947130831));
-        let t67 = fma(t53, constant(0.0006036179018651099), t66);
-        let t68 = fma(t48, constant(0.12027778732005565), t43 * constant(-0.00026616385403660926));
-        let t69 = fma(t53, constant(0.00012322715833298665), t68);
-        let t70 = fma(t48, constant(-0.00012322715833298665), t43 * constant(0.0006036179018651099));
-        let t71 = fma(t53, constant(-0.12117363585233806), t70);
-        let t72 = fma(reduced_force_y, constant(0.00026616385403660926), reduced_force_x * constant(0.12170838947130831));
-        let t73 = fma(reduced_force_z, constant(-0.0006036179018651099), t72);
-        let t74 = fma(reduced_force_y, constant(0.12027778732005565), reduced_force_x * constant(0.00026616385403660926));
-        let t75 = fma(reduced_force_z, constant(-0.00012322715833298665), t74);
-        let t76 = fma(reduced_force_y, constant(-0.00012322715833298665), reduced_force_x * constant(-0.0006036179018651099));
-        let t77 = fma(reduced_force_z, constant(0.12117363585233806), t76);
-        let t78 = fma(-t50, t59, fma(t45, t57, fma(t39, t55, t33)));
-        let t79 = fma(t52, t65, fma(t46, t63, fma(-t41, t61, t34)));
-        let t80 = fma(t53, t71, fma(-t48, t69, fma(t43, t67, t35)));
-        let t81 = fma(t52, t71, fma(t46, t69, fma(-t41, t67, t36)));
-        let t82 = fma(-t50, t71, fma(t45, t69, fma(t39, t67, t37)));
-        let t83 = fma(-t50, t65, fma(t45, t63, fma(t39, t61, t38)));
-        let t84 = fma(-t50, t77, fma(t45, t75, fma(t39, t73, reduced_moment_x)));
-        let t85 = fma(t52, t77, fma(t46, t75, fma(-t41, t73, reduced_moment_y)));
-        let t86 = fma(t53, t77, fma(-t48, t75, fma(t43, t73, reduced_moment_z)));
-        let t87 = fma(-t81, t81, t79 * t80);
-        let t88 = fma(-t79, t82, t81 * t83);
-        let t89 = fma(-t80, t83, t81 * t82);
-        let inverse_determinant = constant(1.0) / fma(t82, t88, fma(t83, t89, t78 * t87));
-        let t90 = fma(-t78, t81, t82 * t83) * inverse_determinant;
-        let t91 = t88 * inverse_determinant;
-        let t92 = t89 * inverse_determinant;
-        let angular_acceleration_x = fma(t86, t91, fma(t85, t92, t84 * (t87 * inverse_determinant)));
-        let angular_acceleration_y = fma(t85, fma(-t82, t82, t78 * t80) * inverse_determinant, t84 * t92);
-        let angular_acceleration_y = fma(t86, t90, angular_acceleration_y);
-        let angular_acceleration_z = fma(t86, fma(-t83, t83, t78 * t79) * inverse_determinant, fma(t85, t90, t84 * t91));
-        let acceleration_x = fma(-t61, angular_acceleration_y, fma(-t55, angular_acceleration_x, t73));
-        let acceleration_x = fma(-t67, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t63, angular_acceleration_y, fma(-t57, angular_acceleration_x, t75));
-        let acceleration_y = fma(-t69, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t59, angular_acceleration_x, t77));
-        let acceleration_z = fma(-t71, angular_acceleration_z, acceleration_z);
+        let t54 = fma(t48, constant(-0.00012322715833298665), t43 * constant(0.0006036179018651099));
+        let t55 = fma(t53, constant(-0.12117363585233806), t54);
+        let t56 = fma(t48, constant(0.12027778732005565), t43 * constant(-0.00026616385403660926));
+        let t57 = fma(t53, constant(0.00012322715833298665), t56);
+        let t58 = fma(t48, constant(0.00026616385403660926), t43 * constant(-0.12170838947130831));
+        let t59 = fma(t53, constant(0.0006036179018651099), t58);
+        let t60 = fma(-t50, t55, fma(t45, t57, fma(t39, t59, t37)));
+        let t61 = fma(t46, constant(0.00012322715833298665), t41 * constant(-0.0006036179018651099));
+        let t62 = fma(t52, constant(-0.12117363585233806), t61);
+        let t63 = fma(t46, constant(-0.12027778732005565), t41 * constant(0.00026616385403660926));
+        let t64 = fma(t52, constant(0.00012322715833298665), t63);
+        let t65 = fma(t46, constant(-0.00026616385403660926), t41 * constant(0.12170838947130831));
+        let t66 = fma(t52, constant(0.0006036179018651099), t65);
+        let t67 = fma(t52, t62, fma(t46, t64, fma(-t41, t66, t34)));
+        let t68 = fma(t52, t55, fma(t46, t57, fma(-t41, t59, t36)));
+        let t69 = fma(-t50, t62, fma(t45, t64, fma(t39, t66, t38)));
+        let t70 = fma(-t67, t60, t68 * t69);
+        let t71 = fma(t53, t55, fma(-t48, t57, fma(t43, t59, t35)));
+        let t72 = fma(-t71, t69, t68 * t60);
+        let t73 = fma(t45, constant(0.00012322715833298665), t39 * constant(0.0006036179018651099));
+        let t74 = fma(t50, constant(0.12117363585233806), t73);
+        let t75 = fma(t45, constant(-0.12027778732005565), t39 * constant(-0.00026616385403660926));
+        let t76 = fma(t50, constant(-0.00012322715833298665), t75);
+        let t77 = fma(t45, constant(-0.00026616385403660926), t39 * constant(-0.12170838947130831));
+        let t78 = fma(t50, constant(-0.0006036179018651099), t77);
+        let t79 = fma(-t50, t74, fma(t45, t76, fma(t39, t78, t33)));
+        let t80 = fma(-t68, t68, t67 * t71);
+        let inverse_determinant = constant(1.0) / fma(t60, t70, fma(t69, t72, t79 * t80));
+        let t81 = fma(reduced_force_y, constant(-0.00012322715833298665), reduced_force_x * constant(-0.0006036179018651099));
+        let t82 = fma(reduced_force_z, constant(0.12117363585233806), t81);
+        let t83 = fma(reduced_force_y, constant(0.12027778732005565), reduced_force_x * constant(0.00026616385403660926));
+        let t84 = fma(reduced_force_z, constant(-0.00012322715833298665), t83);
+        let t85 = fma(reduced_force_y, constant(0.00026616385403660926), reduced_force_x * constant(0.12170838947130831));
+        let t86 = fma(reduced_force_z, constant(-0.0006036179018651099), t85);
+        let t87 = fma(t53, t82, fma(-t48, t84, fma(t43, t86, reduced_moment_z)));
+        let t88 = t70 * inverse_determinant;
+        let t89 = fma(t52, t82, fma(t46, t84, fma(-t41, t86, reduced_moment_y)));
+        let t90 = t72 * inverse_determinant;
+        let t91 = fma(-t50, t82, fma(t45, t84, fma(t39, t86, reduced_moment_x)));
+        let angular_acceleration_x = fma(t87, t88, fma(t89, t90, t91 * (t80 * inverse_determinant)));
+        let t92 = fma(-t79, t68, t60 * t69) * inverse_determinant;
+        let angular_acceleration_y = fma(t89, fma(-t60, t60, t79 * t71) * inverse_determinant, t91 * t90);
+        let angular_acceleration_y = fma(t87, t92, angular_acceleration_y);
+        let angular_acceleration_z = fma(t87, fma(-t69, t69, t79 * t67) * inverse_determinant, fma(t89, t92, t91 * t88));
+        let acceleration_x = fma(-t66, angular_acceleration_y, fma(-t78, angular_acceleration_x, t86));
+        let acceleration_x = fma(-t59, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t64, angular_acceleration_y, fma(-t76, angular_acceleration_x, t84));
+        let acceleration_y = fma(-t57, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t62, angular_acceleration_y, fma(-t74, angular_acceleration_x, t82));
+        let acceleration_z = fma(-t55, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
         let t93 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
@@ -810,7 +810,7 @@ const _: () = {
                     constant(1.0),
                 ],
             ],
-            [t7, t8, t9, t19, t20, t21, modal_quadratic0, modal_quadratic1],
+            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
@@ -891,31 +891,31 @@ const _: () = {
         let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
 
         // Twice the energy: v · P + ω · L + q̇ · p (68 operations: 38 multiply-add, 19 multiply, 11 add)
-        let t1 = fma(constant(8.317420932029258), velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(constant(8.317420932029258), velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(constant(8.317420932029258), velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(constant(0.260950312316442), q_dot1, fma(constant(0.1808945023903729), q_dot0, t1));
-        let t5 = fma(constant(0.04434516152818317), q_dot1, fma(constant(0.036312876401983746), q_dot0, t2));
-        let t6 = fma(constant(0.018906293194520626), q_dot1, fma(constant(-0.253438228790526), q_dot0, t3));
-        let t7 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t8 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t10 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t11 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let t12 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
-        let t13 = omega_x * (fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t7 + t10));
-        let t14 = fma(omega_y, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t8 + t11), t13);
-        let t15 = fma(omega_z, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t9 + t12), t14);
-        let t16 = fma(velocity_z, t6, fma(velocity_y, t5, velocity_x * t4)) + t15;
         let modal_momentum0 = fma(constant(0.036312876401983746), velocity_y, constant(0.1808945023903729) * velocity_x);
         let modal_momentum0 = fma(constant(-0.253438228790526), velocity_z, modal_momentum0);
-        let t17 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
-        let modal_momentum0 = q_dot0 + (modal_momentum0 + t17);
+        let t1 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
+        let modal_momentum0 = q_dot0 + (modal_momentum0 + t1);
         let modal_momentum1 = fma(constant(0.04434516152818317), velocity_y, constant(0.260950312316442) * velocity_x);
         let modal_momentum1 = fma(constant(0.018906293194520626), velocity_z, modal_momentum1);
-        let t18 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
-        let modal_momentum1 = q_dot1 + (modal_momentum1 + t18);
-        let t19 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t16));
+        let t2 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
+        let modal_momentum1 = q_dot1 + (modal_momentum1 + t2);
+        let t3 = fma(constant(8.317420932029258), velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(constant(0.018906293194520626), q_dot1, fma(constant(-0.253438228790526), q_dot0, t3));
+        let t5 = fma(constant(8.317420932029258), velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t6 = fma(constant(0.04434516152818317), q_dot1, fma(constant(0.036312876401983746), q_dot0, t5));
+        let t7 = fma(constant(8.317420932029258), velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(constant(0.260950312316442), q_dot1, fma(constant(0.1808945023903729), q_dot0, t7));
+        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
+        let t10 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let t11 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t12 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t13 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
+        let t14 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t15 = omega_x * (fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t13 + t14));
+        let t16 = fma(omega_y, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t11 + t12), t15);
+        let t17 = fma(omega_z, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t9 + t10), t16);
+        let t18 = fma(velocity_z, t4, fma(velocity_y, t6, velocity_x * t8)) + t17;
+        let t19 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t18));
 
         t19 * constant(0.5)
     }
@@ -931,10 +931,10 @@ const _: () = {
         let constant = support::constant::<T>;
 
         // Elastic energy (7 operations: 3 multiply-add, 4 multiply)
-        let t1 = fma(constant(0.060988838275967676), q1, constant(40.18021554692058) * q0);
-        let t2 = fma(constant(70.13421321366216), q1, constant(0.060988838275967676) * q0);
+        let t1 = fma(constant(70.13421321366216), q1, constant(0.060988838275967676) * q0);
+        let t2 = fma(constant(0.060988838275967676), q1, constant(40.18021554692058) * q0);
 
-        fma(q1, t2, q0 * t1) * constant(0.5)
+        fma(q1, t1, q0 * t2) * constant(0.5)
     }
 
     /// Linear momentum.
@@ -965,13 +965,13 @@ const _: () = {
 
         // Deformed inertia tensor Θ_rr (15 operations: 12 multiply-add, 3 multiply)
         let t1 = fma(constant(8.317420932029258), velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(constant(8.317420932029258), velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(constant(8.317420932029258), velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(constant(0.260950312316442), q_dot1, fma(constant(0.1808945023903729), q_dot0, t1));
-        let t5 = fma(constant(0.04434516152818317), q_dot1, fma(constant(0.036312876401983746), q_dot0, t2));
-        let t6 = fma(constant(0.018906293194520626), q_dot1, fma(constant(-0.253438228790526), q_dot0, t3));
+        let t2 = fma(constant(0.260950312316442), q_dot1, fma(constant(0.1808945023903729), q_dot0, t1));
+        let t3 = fma(constant(8.317420932029258), velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t4 = fma(constant(0.04434516152818317), q_dot1, fma(constant(0.036312876401983746), q_dot0, t3));
+        let t5 = fma(constant(8.317420932029258), velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t6 = fma(constant(0.018906293194520626), q_dot1, fma(constant(-0.253438228790526), q_dot0, t5));
 
-        [t4, t5, t6]
+        [t2, t4, t6]
     }
 
     /// Angular momentum about the frame origin.
@@ -1044,16 +1044,16 @@ const _: () = {
         let inertia_xz = fma(change_xz, constant(-0.5), constant(0.03415672448949026));
         let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
         let t1 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t2 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t3 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t4 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t5 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t2 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t3 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t4 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t5 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
         let t6 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
 
         [
-            fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t1 + t4),
-            fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t2 + t5),
-            fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t3 + t6),
+            fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t1 + t2),
+            fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t3 + t4),
+            fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t5 + t6),
         ]
     }
 

@@ -214,12 +214,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
-        let t2 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t1 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
-        let t4 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
+        let t6 = fma(t5, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -232,47 +232,47 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * 2.0;
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * 2.0;
-        let t12 = omega_z * 2.0;
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
 
         [
-            fma(-omega_z, t5, omega_y * t6), fma(-omega_x, t6, omega_z * t4),
-            fma(-omega_y, t4, omega_x * t5), t7 + t13, t8 + t14, t9 + t15, modal_quadratic0,
+            fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+            fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
             modal_quadratic1,
         ]
     }
@@ -329,12 +329,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
-        let t2 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t1 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
-        let t4 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
+        let t6 = fma(t5, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -347,48 +347,48 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * 2.0;
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * 2.0;
-        let t12 = omega_z * 2.0;
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t25 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
-        let t26 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - t25;
+        let t26 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - t26;
 
         // Elimination of the modal accelerations (42 operations: 39 multiply-add, 3 multiply)
@@ -407,59 +407,59 @@ const _: () = {
         let t39 = fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
         let t40 = fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
         let t41 = fma(0.23954110582463117, coupling_z1, -0.14106512955956807 * coupling_z0);
-        let reduced_force_x = fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t5, omega_y * t6));
+        let reduced_force_x = fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t2, omega_y * t4));
         let reduced_force_x = fma(-0.26899095817779994, modal_residual1, reduced_force_x);
-        let reduced_force_y = fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t6, omega_z * t4));
+        let reduced_force_y = fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t4, omega_z * t6));
         let reduced_force_y = fma(-0.055993206221893924, modal_residual1, reduced_force_y);
-        let reduced_force_z = fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t4, omega_x * t5));
+        let reduced_force_z = fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t6, omega_x * t2));
         let reduced_force_z = fma(-0.23954110582463117, modal_residual1, reduced_force_z);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t13)));
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t8 + t14)));
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t9 + t15)));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t9)));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
+        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t42 = fma(t39, 0.0029901429709046825, fma(t36, -0.0004398005649018212, t33 * -0.13702315917076313));
-        let t43 = fma(t39, 0.000253729233449132, fma(t36, -0.1257788668457493, t33 * -0.0004398005649018212));
-        let t44 = fma(t36, -0.000253729233449132, t33 * -0.0029901429709046825);
-        let t45 = fma(t39, 0.12702385080665668, t44);
-        let t46 = fma(t40, -0.0029901429709046825, fma(t37, -0.0004398005649018212, t34 * 0.13702315917076313));
+        let t42 = fma(t41, -0.12702385080665668, fma(t38, 0.000253729233449132, t35 * -0.0029901429709046825));
+        let t43 = fma(t41, -0.000253729233449132, fma(t38, 0.1257788668457493, t35 * -0.0004398005649018212));
+        let t44 = fma(t41, -0.0029901429709046825, fma(t38, 0.0004398005649018212, t35 * -0.13702315917076313));
+        let t45 = fma(-t39, t42, fma(t36, t43, fma(t33, t44, t31)));
+        let t46 = fma(t40, -0.12702385080665668, fma(t37, -0.000253729233449132, t34 * 0.0029901429709046825));
         let t47 = fma(t40, -0.000253729233449132, fma(t37, -0.1257788668457493, t34 * 0.0004398005649018212));
-        let t48 = fma(t40, -0.12702385080665668, fma(t37, -0.000253729233449132, t34 * 0.0029901429709046825));
-        let t49 = fma(t41, -0.0029901429709046825, fma(t38, 0.0004398005649018212, t35 * -0.13702315917076313));
-        let t50 = fma(t41, -0.000253729233449132, fma(t38, 0.1257788668457493, t35 * -0.0004398005649018212));
-        let t51 = fma(t41, -0.12702385080665668, fma(t38, 0.000253729233449132, t35 * -0.0029901429709046825));
-        let t52 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
-        let t53 = fma(reduced_force_z, 0.0029901429709046825, t52);
-        let t54 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
-        let t55 = fma(reduced_force_z, 0.000253729233449132, t54);
-        let t56 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
-        let t57 = fma(reduced_force_z, 0.12702385080665668, t56);
-        let t58 = fma(-t39, t45, fma(t36, t43, fma(t33, t42, t27)));
-        let t59 = fma(t40, t48, fma(t37, t47, fma(-t34, t46, t28)));
-        let t60 = fma(t41, t51, fma(-t38, t50, fma(t35, t49, t29)));
-        let t61 = fma(t40, t51, fma(t37, t50, fma(-t34, t49, t30)));
-        let t62 = fma(-t39, t51, fma(t36, t50, fma(t33, t49, t31)));
-        let t63 = fma(-t39, t48, fma(t36, t47, fma(t33, t46, t32)));
-        let t64 = fma(-t39, t57, fma(t36, t55, fma(t33, t53, reduced_moment_x)));
-        let t65 = fma(t40, t57, fma(t37, t55, fma(-t34, t53, reduced_moment_y)));
-        let t66 = fma(t41, t57, fma(-t38, t55, fma(t35, t53, reduced_moment_z)));
-        let t67 = fma(-t61, t61, t59 * t60);
-        let t68 = fma(-t59, t62, t61 * t63);
-        let t69 = fma(-t60, t63, t61 * t62);
-        let inverse_determinant = 1.0 / fma(t62, t68, fma(t63, t69, t58 * t67));
-        let t70 = fma(-t58, t61, t62 * t63) * inverse_determinant;
-        let t71 = t68 * inverse_determinant;
-        let t72 = t69 * inverse_determinant;
-        let angular_acceleration_x = fma(t66, t71, fma(t65, t72, t64 * (t67 * inverse_determinant)));
-        let angular_acceleration_y = fma(t65, fma(-t62, t62, t58 * t60) * inverse_determinant, t64 * t72);
-        let angular_acceleration_y = fma(t66, t70, angular_acceleration_y);
-        let angular_acceleration_z = fma(t66, fma(-t63, t63, t58 * t59) * inverse_determinant, fma(t65, t70, t64 * t71));
-        let acceleration_x = fma(-t46, angular_acceleration_y, fma(-t42, angular_acceleration_x, t53));
-        let acceleration_x = fma(-t49, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t47, angular_acceleration_y, fma(-t43, angular_acceleration_x, t55));
-        let acceleration_y = fma(-t50, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t48, angular_acceleration_y, fma(-t45, angular_acceleration_x, t57));
-        let acceleration_z = fma(-t51, angular_acceleration_z, acceleration_z);
+        let t48 = fma(t40, -0.0029901429709046825, fma(t37, -0.0004398005649018212, t34 * 0.13702315917076313));
+        let t49 = fma(t40, t46, fma(t37, t47, fma(-t34, t48, t28)));
+        let t50 = fma(t40, t42, fma(t37, t43, fma(-t34, t44, t30)));
+        let t51 = fma(-t39, t46, fma(t36, t47, fma(t33, t48, t32)));
+        let t52 = fma(-t49, t45, t50 * t51);
+        let t53 = fma(t41, t42, fma(-t38, t43, fma(t35, t44, t29)));
+        let t54 = fma(-t53, t51, t50 * t45);
+        let t55 = fma(t36, -0.000253729233449132, t33 * -0.0029901429709046825);
+        let t56 = fma(t39, 0.12702385080665668, t55);
+        let t57 = fma(t39, 0.000253729233449132, fma(t36, -0.1257788668457493, t33 * -0.0004398005649018212));
+        let t58 = fma(t39, 0.0029901429709046825, fma(t36, -0.0004398005649018212, t33 * -0.13702315917076313));
+        let t59 = fma(-t39, t56, fma(t36, t57, fma(t33, t58, t27)));
+        let t60 = fma(-t50, t50, t49 * t53);
+        let inverse_determinant = 1.0 / fma(t45, t52, fma(t51, t54, t59 * t60));
+        let t61 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
+        let t62 = fma(reduced_force_z, 0.12702385080665668, t61);
+        let t63 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
+        let t64 = fma(reduced_force_z, 0.000253729233449132, t63);
+        let t65 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
+        let t66 = fma(reduced_force_z, 0.0029901429709046825, t65);
+        let t67 = fma(t41, t62, fma(-t38, t64, fma(t35, t66, reduced_moment_z)));
+        let t68 = t52 * inverse_determinant;
+        let t69 = fma(t40, t62, fma(t37, t64, fma(-t34, t66, reduced_moment_y)));
+        let t70 = t54 * inverse_determinant;
+        let t71 = fma(-t39, t62, fma(t36, t64, fma(t33, t66, reduced_moment_x)));
+        let angular_acceleration_x = fma(t67, t68, fma(t69, t70, t71 * (t60 * inverse_determinant)));
+        let t72 = fma(-t59, t50, t45 * t51) * inverse_determinant;
+        let angular_acceleration_y = fma(t69, fma(-t45, t45, t59 * t53) * inverse_determinant, t71 * t70);
+        let angular_acceleration_y = fma(t67, t72, angular_acceleration_y);
+        let angular_acceleration_z = fma(t67, fma(-t51, t51, t59 * t49) * inverse_determinant, fma(t69, t72, t71 * t68));
+        let acceleration_x = fma(-t48, angular_acceleration_y, fma(-t58, angular_acceleration_x, t66));
+        let acceleration_x = fma(-t44, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t47, angular_acceleration_y, fma(-t57, angular_acceleration_x, t64));
+        let acceleration_y = fma(-t43, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t46, angular_acceleration_y, fma(-t56, angular_acceleration_x, t62));
+        let acceleration_z = fma(-t42, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
         let t73 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
@@ -532,15 +532,15 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
-        let t1 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
-        let t2 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t1 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
-        let t4 = fma(t1, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(t2, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t7 = fma(-omega_z, t5, omega_y * t6);
-        let t8 = fma(-omega_x, t6, omega_z * t4);
-        let t9 = fma(-omega_y, t4, omega_x * t5);
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-omega_z, t2, omega_y * t4);
+        let t6 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
+        let t7 = fma(t6, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(-omega_x, t4, omega_z * t7);
+        let t9 = fma(-omega_y, t7, omega_x * t2);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -553,51 +553,51 @@ const _: () = {
         let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t10 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t11 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t12 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t13 = omega_x * 2.0;
-        let t14 = omega_y * 2.0;
-        let t15 = omega_z * 2.0;
-        let t16 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t13));
-        let t17 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t14));
-        let t18 = fma(rate_trace - rate_zz, t15, -fma(omega_y, rate_yz, omega_x * rate_xz));
-        let t19 = t10 + t16;
-        let t20 = t11 + t17;
-        let t21 = t12 + t18;
+        let t11 = omega_x * 2.0;
+        let t12 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t11));
+        let t13 = t10 + t12;
+        let t14 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t15 = omega_y * 2.0;
+        let t16 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t15));
+        let t17 = t14 + t16;
+        let t18 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t19 = omega_z * 2.0;
+        let t20 = fma(rate_trace - rate_zz, t19, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t21 = t18 + t20;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t22 = omega_x * omega_x;
-        let t23 = omega_y * omega_y;
-        let t24 = omega_z * omega_z;
-        let t25 = t23 + t24;
-        let t26 = t23 - t22;
-        let t27 = t24 - t22;
-        let t28 = omega_x * omega_y;
-        let t29 = omega_x * omega_z;
-        let t30 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t25, moment_yy0 * t26));
-        let modal_quadratic0 = fma(moment_yz0, t30, fma(moment_xz0, t29, fma(moment_xy0, t28, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
-        let modal_quadratic0 = fma(t15, whirl_z0, fma(t14, whirl_y0, fma(t13, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t25, moment_yy1 * t26));
-        let modal_quadratic1 = fma(moment_yz1, t30, fma(moment_xz1, t29, fma(moment_xy1, t28, modal_quadratic1)));
+        let t22 = omega_y * omega_z;
+        let t23 = omega_x * omega_z;
+        let t24 = omega_x * omega_y;
+        let t25 = omega_z * omega_z;
+        let t26 = omega_x * omega_x;
+        let t27 = t25 - t26;
+        let t28 = omega_y * omega_y;
+        let t29 = t28 + t25;
+        let t30 = t28 - t26;
+        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t29, moment_yy0 * t30));
+        let modal_quadratic0 = fma(moment_yz0, t22, fma(moment_xz0, t23, fma(moment_xy0, t24, modal_quadratic0)));
+        let modal_quadratic0 = fma(t19, whirl_z0, fma(t15, whirl_y0, fma(t11, whirl_x0, modal_quadratic0)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
-        let modal_quadratic1 = fma(t15, whirl_z1, fma(t14, whirl_y1, fma(t13, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t29, moment_yy1 * t30));
+        let modal_quadratic1 = fma(moment_yz1, t22, fma(moment_xz1, t23, fma(moment_xy1, t24, modal_quadratic1)));
+        let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t31 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
-        let t32 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - t31;
+        let t32 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - t32;
 
         // Elimination of the modal accelerations (42 operations: 39 multiply-add, 3 multiply)
@@ -616,56 +616,56 @@ const _: () = {
         let t45 = fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
         let t46 = fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
         let t47 = fma(0.23954110582463117, coupling_z1, -0.14106512955956807 * coupling_z0);
-        let reduced_force_x = fma(-0.26899095817779994, modal_residual1, fma(0.7613599420768367, modal_residual0, force_x - t7));
+        let reduced_force_x = fma(-0.26899095817779994, modal_residual1, fma(0.7613599420768367, modal_residual0, force_x - t5));
         let reduced_force_y = fma(-0.055993206221893924, modal_residual1, fma(0.013296641892764124, modal_residual0, force_y - t8));
         let reduced_force_z = fma(-0.23954110582463117, modal_residual1, fma(0.14106512955956807, modal_residual0, force_z - t9));
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t19));
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t20));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t13));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t48 = fma(t45, 0.0029901429709046825, fma(t42, -0.0004398005649018212, t39 * -0.13702315917076313));
-        let t49 = fma(t45, 0.000253729233449132, fma(t42, -0.1257788668457493, t39 * -0.0004398005649018212));
-        let t50 = fma(t42, -0.000253729233449132, t39 * -0.0029901429709046825);
-        let t51 = fma(t45, 0.12702385080665668, t50);
-        let t52 = fma(t46, -0.0029901429709046825, fma(t43, -0.0004398005649018212, t40 * 0.13702315917076313));
+        let t48 = fma(t47, -0.12702385080665668, fma(t44, 0.000253729233449132, t41 * -0.0029901429709046825));
+        let t49 = fma(t47, -0.000253729233449132, fma(t44, 0.1257788668457493, t41 * -0.0004398005649018212));
+        let t50 = fma(t47, -0.0029901429709046825, fma(t44, 0.0004398005649018212, t41 * -0.13702315917076313));
+        let t51 = fma(-t45, t48, fma(t42, t49, fma(t39, t50, t37)));
+        let t52 = fma(t46, -0.12702385080665668, fma(t43, -0.000253729233449132, t40 * 0.0029901429709046825));
         let t53 = fma(t46, -0.000253729233449132, fma(t43, -0.1257788668457493, t40 * 0.0004398005649018212));
-        let t54 = fma(t46, -0.12702385080665668, fma(t43, -0.000253729233449132, t40 * 0.0029901429709046825));
-        let t55 = fma(t47, -0.0029901429709046825, fma(t44, 0.0004398005649018212, t41 * -0.13702315917076313));
-        let t56 = fma(t47, -0.000253729233449132, fma(t44, 0.1257788668457493, t41 * -0.0004398005649018212));
-        let t57 = fma(t47, -0.12702385080665668, fma(t44, 0.000253729233449132, t41 * -0.0029901429709046825));
-        let t58 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
-        let t59 = fma(reduced_force_z, 0.0029901429709046825, t58);
-        let t60 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
-        let t61 = fma(reduced_force_z, 0.000253729233449132, t60);
-        let t62 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
-        let t63 = fma(reduced_force_z, 0.12702385080665668, t62);
-        let t64 = fma(-t45, t51, fma(t42, t49, fma(t39, t48, t33)));
-        let t65 = fma(t46, t54, fma(t43, t53, fma(-t40, t52, t34)));
-        let t66 = fma(t47, t57, fma(-t44, t56, fma(t41, t55, t35)));
-        let t67 = fma(t46, t57, fma(t43, t56, fma(-t40, t55, t36)));
-        let t68 = fma(-t45, t57, fma(t42, t56, fma(t39, t55, t37)));
-        let t69 = fma(-t45, t54, fma(t42, t53, fma(t39, t52, t38)));
-        let t70 = fma(-t45, t63, fma(t42, t61, fma(t39, t59, reduced_moment_x)));
-        let t71 = fma(t46, t63, fma(t43, t61, fma(-t40, t59, reduced_moment_y)));
-        let t72 = fma(t47, t63, fma(-t44, t61, fma(t41, t59, reduced_moment_z)));
-        let t73 = fma(-t67, t67, t65 * t66);
-        let t74 = fma(-t65, t68, t67 * t69);
-        let t75 = fma(-t66, t69, t67 * t68);
-        let inverse_determinant = 1.0 / fma(t68, t74, fma(t69, t75, t64 * t73));
-        let t76 = fma(-t64, t67, t68 * t69) * inverse_determinant;
-        let t77 = t74 * inverse_determinant;
-        let t78 = t75 * inverse_determinant;
-        let angular_acceleration_x = fma(t72, t77, fma(t71, t78, t70 * (t73 * inverse_determinant)));
-        let angular_acceleration_y = fma(t71, fma(-t68, t68, t64 * t66) * inverse_determinant, t70 * t78);
-        let angular_acceleration_y = fma(t72, t76, angular_acceleration_y);
-        let angular_acceleration_z = fma(t72, fma(-t69, t69, t64 * t65) * inverse_determinant, fma(t71, t76, t70 * t77));
-        let acceleration_x = fma(-t52, angular_acceleration_y, fma(-t48, angular_acceleration_x, t59));
-        let acceleration_x = fma(-t55, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t53, angular_acceleration_y, fma(-t49, angular_acceleration_x, t61));
-        let acceleration_y = fma(-t56, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t54, angular_acceleration_y, fma(-t51, angular_acceleration_x, t63));
-        let acceleration_z = fma(-t57, angular_acceleration_z, acceleration_z);
+        let t54 = fma(t46, -0.0029901429709046825, fma(t43, -0.0004398005649018212, t40 * 0.13702315917076313));
+        let t55 = fma(t46, t52, fma(t43, t53, fma(-t40, t54, t34)));
+        let t56 = fma(t46, t48, fma(t43, t49, fma(-t40, t50, t36)));
+        let t57 = fma(-t45, t52, fma(t42, t53, fma(t39, t54, t38)));
+        let t58 = fma(-t55, t51, t56 * t57);
+        let t59 = fma(t47, t48, fma(-t44, t49, fma(t41, t50, t35)));
+        let t60 = fma(-t59, t57, t56 * t51);
+        let t61 = fma(t42, -0.000253729233449132, t39 * -0.0029901429709046825);
+        let t62 = fma(t45, 0.12702385080665668, t61);
+        let t63 = fma(t45, 0.000253729233449132, fma(t42, -0.1257788668457493, t39 * -0.0004398005649018212));
+        let t64 = fma(t45, 0.0029901429709046825, fma(t42, -0.0004398005649018212, t39 * -0.13702315917076313));
+        let t65 = fma(-t45, t62, fma(t42, t63, fma(t39, t64, t33)));
+        let t66 = fma(-t56, t56, t55 * t59);
+        let inverse_determinant = 1.0 / fma(t51, t58, fma(t57, t60, t65 * t66));
+        let t67 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
+        let t68 = fma(reduced_force_z, 0.12702385080665668, t67);
+        let t69 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
+        let t70 = fma(reduced_force_z, 0.000253729233449132, t69);
+        let t71 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
+        let t72 = fma(reduced_force_z, 0.0029901429709046825, t71);
+        let t73 = fma(t47, t68, fma(-t44, t70, fma(t41, t72, reduced_moment_z)));
+        let t74 = t58 * inverse_determinant;
+        let t75 = fma(t46, t68, fma(t43, t70, fma(-t40, t72, reduced_moment_y)));
+        let t76 = t60 * inverse_determinant;
+        let t77 = fma(-t45, t68, fma(t42, t70, fma(t39, t72, reduced_moment_x)));
+        let angular_acceleration_x = fma(t73, t74, fma(t75, t76, t77 * (t66 * inverse_determinant)));
+        let t78 = fma(-t65, t56, t51 * t57) * inverse_determinant;
+        let angular_acceleration_y = fma(t75, fma(-t51, t51, t65 * t59) * inverse_determinant, t77 * t76);
+        let angular_acceleration_y = fma(t73, t78, angular_acceleration_y);
+        let angular_acceleration_z = fma(t73, fma(-t57, t57, t65 * t55) * inverse_determinant, fma(t75, t78, t77 * t74));
+        let acceleration_x = fma(-t54, angular_acceleration_y, fma(-t64, angular_acceleration_x, t72));
+        let acceleration_x = fma(-t50, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t53, angular_acceleration_y, fma(-t63, angular_acceleration_x, t70));
+        let acceleration_y = fma(-t49, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t52, angular_acceleration_y, fma(-t62, angular_acceleration_x, t68));
+        let acceleration_z = fma(-t48, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
         let t79 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
@@ -710,7 +710,7 @@ const _: () = {
                     coupling_z1, 0.0, 1.0,
                 ],
             ],
-            [t7, t8, t9, t19, t20, t21, modal_quadratic0, modal_quadratic1],
+            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z, t81, t84,
@@ -770,29 +770,29 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
 
         // Twice the energy: v · P + ω · L + q̇ · p (68 operations: 38 multiply-add, 19 multiply, 11 add)
-        let t1 = fma(7.95389213843747, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(7.95389213843747, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(7.95389213843747, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(0.26899095817779994, q_dot1, fma(-0.7613599420768367, q_dot0, t1));
-        let t5 = fma(0.055993206221893924, q_dot1, fma(-0.013296641892764124, q_dot0, t2));
-        let t6 = fma(0.23954110582463117, q_dot1, fma(-0.14106512955956807, q_dot0, t3));
-        let t7 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t8 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t10 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t11 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let t12 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
-        let t13 = omega_x * (fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t7 + t10));
-        let t14 = fma(omega_y, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t8 + t11), t13);
-        let t15 = fma(omega_z, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t9 + t12), t14);
-        let t16 = fma(velocity_z, t6, fma(velocity_y, t5, velocity_x * t4)) + t15;
         let modal_momentum0 = fma(-0.013296641892764124, velocity_y, -0.7613599420768367 * velocity_x);
-        let t17 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
-        let modal_momentum0 = q_dot0 + (fma(-0.14106512955956807, velocity_z, modal_momentum0) + t17);
+        let t1 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
+        let modal_momentum0 = q_dot0 + (fma(-0.14106512955956807, velocity_z, modal_momentum0) + t1);
         let modal_momentum1 = fma(0.055993206221893924, velocity_y, 0.26899095817779994 * velocity_x);
-        let t18 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
-        let modal_momentum1 = q_dot1 + (fma(0.23954110582463117, velocity_z, modal_momentum1) + t18);
-        let t19 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t16));
+        let t2 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
+        let modal_momentum1 = q_dot1 + (fma(0.23954110582463117, velocity_z, modal_momentum1) + t2);
+        let t3 = fma(7.95389213843747, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(0.23954110582463117, q_dot1, fma(-0.14106512955956807, q_dot0, t3));
+        let t5 = fma(7.95389213843747, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t6 = fma(0.055993206221893924, q_dot1, fma(-0.013296641892764124, q_dot0, t5));
+        let t7 = fma(7.95389213843747, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(0.26899095817779994, q_dot1, fma(-0.7613599420768367, q_dot0, t7));
+        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
+        let t10 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let t11 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t12 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t13 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
+        let t14 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t15 = omega_x * (fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t13 + t14));
+        let t16 = fma(omega_y, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t11 + t12), t15);
+        let t17 = fma(omega_z, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t9 + t10), t16);
+        let t18 = fma(velocity_z, t4, fma(velocity_y, t6, velocity_x * t8)) + t17;
+        let t19 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t18));
 
         t19 * 0.5
     }
@@ -831,13 +831,13 @@ const _: () = {
 
         // Deformed inertia tensor Θ_rr (15 operations: 12 multiply-add, 3 multiply)
         let t1 = fma(7.95389213843747, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(7.95389213843747, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(7.95389213843747, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(0.26899095817779994, q_dot1, fma(-0.7613599420768367, q_dot0, t1));
-        let t5 = fma(0.055993206221893924, q_dot1, fma(-0.013296641892764124, q_dot0, t2));
-        let t6 = fma(0.23954110582463117, q_dot1, fma(-0.14106512955956807, q_dot0, t3));
+        let t2 = fma(0.26899095817779994, q_dot1, fma(-0.7613599420768367, q_dot0, t1));
+        let t3 = fma(7.95389213843747, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t4 = fma(0.055993206221893924, q_dot1, fma(-0.013296641892764124, q_dot0, t3));
+        let t5 = fma(7.95389213843747, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t6 = fma(0.23954110582463117, q_dot1, fma(-0.14106512955956807, q_dot0, t5));
 
-        [t4, t5, t6]
+        [t2, t4, t6]
     }
 
     /// Angular momentum about the frame origin.
@@ -891,16 +891,16 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, -0.8912259279844577);
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
         let t1 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t2 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t3 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t4 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t5 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t2 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t3 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t4 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t5 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
         let t6 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
 
         [
-            fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t1 + t4),
-            fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t2 + t5),
-            fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t3 + t6),
+            fma(q_dot1, coupling_x1, q_dot0 * coupling_x0) + (t1 + t2),
+            fma(q_dot1, coupling_y1, q_dot0 * coupling_y0) + (t3 + t4),
+            fma(q_dot1, coupling_z1, q_dot0 * coupling_z0) + (t5 + t6),
         ]
     }
 
@@ -1040,24 +1040,24 @@ const _: () = {
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
-        let t21 = -1.1922303307198583 + moment_trace0;
-        let t22 = 0.23717081301087906 + moment_trace1;
-        let change_trace = fma(q1, t22, q0 * t21);
-        let t23 = -0.09191914725543346 + moment_yy0;
-        let t24 = 0.22053904757743034 + moment_yy1;
-        let change_yy = fma(q1, t24, q0 * t23);
-        let t25 = -0.12615932134690072 + moment_zz0;
-        let t26 = 0.08350957709807609 + moment_zz1;
-        let change_zz = fma(q1, t26, q0 * t25);
-        let t27 = -0.16404494841334252 + moment_xy0;
-        let t28 = -0.19465513087508376 + moment_xy1;
-        let change_xy = fma(q1, t28, q0 * t27);
-        let t29 = 0.42265980028762185 + moment_xz0;
-        let t30 = -0.030186847547927415 + moment_xz1;
-        let change_xz = fma(q1, t30, q0 * t29);
-        let t31 = 0.16695215048514464 + moment_yz0;
-        let t32 = 0.10807977976839368 + moment_yz1;
-        let change_yz = fma(q1, t32, q0 * t31);
+        let t21 = 0.23717081301087906 + moment_trace1;
+        let t22 = -1.1922303307198583 + moment_trace0;
+        let change_trace = fma(q1, t21, q0 * t22);
+        let t23 = 0.22053904757743034 + moment_yy1;
+        let t24 = -0.09191914725543346 + moment_yy0;
+        let change_yy = fma(q1, t23, q0 * t24);
+        let t25 = 0.08350957709807609 + moment_zz1;
+        let t26 = -0.12615932134690072 + moment_zz0;
+        let change_zz = fma(q1, t25, q0 * t26);
+        let t27 = -0.19465513087508376 + moment_xy1;
+        let t28 = -0.16404494841334252 + moment_xy0;
+        let change_xy = fma(q1, t27, q0 * t28);
+        let t29 = -0.030186847547927415 + moment_xz1;
+        let t30 = 0.42265980028762185 + moment_xz0;
+        let change_xz = fma(q1, t29, q0 * t30);
+        let t31 = 0.10807977976839368 + moment_yz1;
+        let t32 = 0.16695215048514464 + moment_yz0;
+        let change_yz = fma(q1, t31, q0 * t32);
         let inertia_xx = 1.395868238733327 + (change_yy + change_zz);
         let inertia_yy = 6.516527125835783 + (change_trace - change_yy);
         let inertia_zz = 7.046602419425604 + (change_trace - change_zz);
@@ -1066,18 +1066,18 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (24 operations: 9 multiply-add, 12 multiply, 3 add)
-        let t33 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
-        let t34 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
-        let t35 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
-        let t36 = omega_y * first_moment_z;
-        let t37 = omega_z * first_moment_y;
-        let t38 = omega_z * first_moment_x;
-        let t39 = omega_x * first_moment_z;
-        let t40 = omega_x * first_moment_y;
-        let t41 = omega_y * first_moment_x;
-        let t42 = fma(t33, 2.0, t36 - t37);
-        let t43 = fma(t34, 2.0, t38 - t39);
-        let t44 = fma(t35, 2.0, t40 - t41);
+        let t33 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t34 = omega_z * first_moment_x;
+        let t35 = omega_x * first_moment_z;
+        let t36 = fma(t33, 2.0, t34 - t35);
+        let t37 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
+        let t38 = omega_x * first_moment_y;
+        let t39 = omega_y * first_moment_x;
+        let t40 = fma(t37, 2.0, t38 - t39);
+        let t41 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
+        let t42 = omega_y * first_moment_z;
+        let t43 = omega_z * first_moment_y;
+        let t44 = fma(t41, 2.0, t42 - t43);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (57 operations: 21 multiply-add, 24 multiply, 12 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -1091,53 +1091,53 @@ const _: () = {
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let t45 = omega_y * inertia_xy;
         let t46 = omega_z * inertia_xz;
+        let angular_momentum_x = modal_spin_x + (fma(omega_x, inertia_xx, t45) + t46);
         let t47 = omega_x * inertia_xy;
         let t48 = omega_z * inertia_yz;
+        let angular_momentum_y = modal_spin_y + (fma(omega_y, inertia_yy, t47) + t48);
         let t49 = omega_x * inertia_xz;
         let t50 = omega_y * inertia_yz;
-        let angular_momentum_x = modal_spin_x + (fma(omega_x, inertia_xx, t45) + t46);
-        let angular_momentum_y = modal_spin_y + (fma(omega_y, inertia_yy, t47) + t48);
         let angular_momentum_z = modal_spin_z + fma(omega_z, inertia_zz, t49 + t50);
         let t51 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t52 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t53 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t54 = rate_yy + rate_zz;
-        let t55 = rate_trace - rate_yy;
-        let t56 = rate_trace - rate_zz;
-        let t57 = omega_x * 2.0;
-        let t58 = omega_y * 2.0;
-        let t59 = omega_z * 2.0;
-        let t60 = t51 + fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, t54 * t57));
-        let t61 = t52 + fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, t55 * t58));
-        let t62 = t53 + fma(t56, t59, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t52 = rate_yy + rate_zz;
+        let t53 = omega_x * 2.0;
+        let t54 = t51 + fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, t52 * t53));
+        let t55 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t56 = rate_trace - rate_yy;
+        let t57 = omega_y * 2.0;
+        let t58 = t55 + fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, t56 * t57));
+        let t59 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t60 = rate_trace - rate_zz;
+        let t61 = omega_z * 2.0;
+        let t62 = t59 + fma(t60, t61, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t63 = omega_x * omega_x;
-        let t64 = omega_y * omega_y;
-        let t65 = omega_z * omega_z;
-        let t66 = t64 + t65;
-        let t67 = t64 - t63;
-        let t68 = t65 - t63;
-        let t69 = omega_x * omega_y;
-        let t70 = omega_x * omega_z;
-        let t71 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t68, fma(-moment_trace0, t66, moment_yy0 * t67));
-        let modal_quadratic0 = fma(moment_yz0, t71, fma(moment_xz0, t70, fma(moment_xy0, t69, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
-        let modal_quadratic0 = fma(t59, whirl_z0, fma(t58, whirl_y0, fma(t57, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t68, fma(-moment_trace1, t66, moment_yy1 * t67));
-        let modal_quadratic1 = fma(moment_yz1, t71, fma(moment_xz1, t70, fma(moment_xy1, t69, modal_quadratic1)));
+        let t63 = omega_y * omega_z;
+        let t64 = omega_x * omega_z;
+        let t65 = omega_x * omega_y;
+        let t66 = omega_z * omega_z;
+        let t67 = omega_x * omega_x;
+        let t68 = t66 - t67;
+        let t69 = omega_y * omega_y;
+        let t70 = t69 + t66;
+        let t71 = t69 - t67;
+        let modal_quadratic0 = fma(moment_zz0, t68, fma(-moment_trace0, t70, moment_yy0 * t71));
+        let modal_quadratic0 = fma(moment_yz0, t63, fma(moment_xz0, t64, fma(moment_xy0, t65, modal_quadratic0)));
+        let modal_quadratic0 = fma(t61, whirl_z0, fma(t57, whirl_y0, fma(t53, whirl_x0, modal_quadratic0)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
-        let modal_quadratic1 = fma(t59, whirl_z1, fma(t58, whirl_y1, fma(t57, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t68, fma(-moment_trace1, t70, moment_yy1 * t71));
+        let modal_quadratic1 = fma(moment_yz1, t63, fma(moment_xz1, t64, fma(moment_xy1, t65, modal_quadratic1)));
+        let modal_quadratic1 = fma(t61, whirl_z1, fma(t57, whirl_y1, fma(t53, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t72 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
-        let t73 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - t72;
+        let t73 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - t73;
 
         // Elimination of the modal accelerations (42 operations: 39 multiply-add, 3 multiply)
@@ -1156,64 +1156,64 @@ const _: () = {
         let t86 = fma(-0.23954110582463117, coupling_x1, fma(0.14106512955956807, coupling_x0, first_moment_y));
         let t87 = fma(0.23954110582463117, coupling_y1, fma(-0.14106512955956807, coupling_y0, first_moment_x));
         let t88 = fma(0.23954110582463117, coupling_z1, -0.14106512955956807 * coupling_z0);
-        let reduced_force_x = fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t43, omega_y * t44));
+        let reduced_force_x = fma(0.7613599420768367, modal_residual0, force_x - fma(-omega_z, t36, omega_y * t40));
         let reduced_force_x = fma(-0.26899095817779994, modal_residual1, reduced_force_x);
-        let reduced_force_y = fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t44, omega_z * t42));
+        let reduced_force_y = fma(0.013296641892764124, modal_residual0, force_y - fma(-omega_x, t40, omega_z * t44));
         let reduced_force_y = fma(-0.055993206221893924, modal_residual1, reduced_force_y);
-        let reduced_force_z = fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t42, omega_x * t43));
+        let reduced_force_z = fma(0.14106512955956807, modal_residual0, force_z - fma(-omega_y, t44, omega_x * t36));
         let reduced_force_z = fma(-0.23954110582463117, modal_residual1, reduced_force_z);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t60));
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t61));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t54));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t58));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t62));
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t89 = fma(t86, 0.0029901429709046825, fma(t83, -0.0004398005649018212, t80 * -0.13702315917076313));
-        let t90 = fma(t86, 0.000253729233449132, fma(t83, -0.1257788668457493, t80 * -0.0004398005649018212));
-        let t91 = fma(t83, -0.000253729233449132, t80 * -0.0029901429709046825);
-        let t92 = fma(t86, 0.12702385080665668, t91);
-        let t93 = fma(t87, -0.0029901429709046825, fma(t84, -0.0004398005649018212, t81 * 0.13702315917076313));
+        let t89 = fma(t88, -0.12702385080665668, fma(t85, 0.000253729233449132, t82 * -0.0029901429709046825));
+        let t90 = fma(t88, -0.000253729233449132, fma(t85, 0.1257788668457493, t82 * -0.0004398005649018212));
+        let t91 = fma(t88, -0.0029901429709046825, fma(t85, 0.0004398005649018212, t82 * -0.13702315917076313));
+        let t92 = fma(-t86, t89, fma(t83, t90, fma(t80, t91, t78)));
+        let t93 = fma(t87, -0.12702385080665668, fma(t84, -0.000253729233449132, t81 * 0.0029901429709046825));
         let t94 = fma(t87, -0.000253729233449132, fma(t84, -0.1257788668457493, t81 * 0.0004398005649018212));
-        let t95 = fma(t87, -0.12702385080665668, fma(t84, -0.000253729233449132, t81 * 0.0029901429709046825));
-        let t96 = fma(t88, -0.0029901429709046825, fma(t85, 0.0004398005649018212, t82 * -0.13702315917076313));
-        let t97 = fma(t88, -0.000253729233449132, fma(t85, 0.1257788668457493, t82 * -0.0004398005649018212));
-        let t98 = fma(t88, -0.12702385080665668, fma(t85, 0.000253729233449132, t82 * -0.0029901429709046825));
-        let t99 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
-        let t100 = fma(reduced_force_z, 0.0029901429709046825, t99);
-        let t101 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
-        let t102 = fma(reduced_force_z, 0.000253729233449132, t101);
-        let t103 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
-        let t104 = fma(reduced_force_z, 0.12702385080665668, t103);
-        let t105 = fma(-t86, t92, fma(t83, t90, fma(t80, t89, t74)));
-        let t106 = fma(t87, t95, fma(t84, t94, fma(-t81, t93, t75)));
-        let t107 = fma(t88, t98, fma(-t85, t97, fma(t82, t96, t76)));
-        let t108 = fma(t87, t98, fma(t84, t97, fma(-t81, t96, t77)));
-        let t109 = fma(-t86, t98, fma(t83, t97, fma(t80, t96, t78)));
-        let t110 = fma(-t86, t95, fma(t83, t94, fma(t80, t93, t79)));
-        let t111 = fma(-t86, t104, fma(t83, t102, fma(t80, t100, reduced_moment_x)));
-        let t112 = fma(t87, t104, fma(t84, t102, fma(-t81, t100, reduced_moment_y)));
-        let t113 = fma(t88, t104, fma(-t85, t102, fma(t82, t100, reduced_moment_z)));
-        let t114 = fma(-t108, t108, t106 * t107);
-        let t115 = fma(-t106, t109, t108 * t110);
-        let t116 = fma(-t107, t110, t108 * t109);
-        let inverse_determinant = 1.0 / fma(t109, t115, fma(t110, t116, t105 * t114));
-        let angular_acceleration_x = t114 * inverse_determinant;
-        let angular_acceleration_y = fma(-t109, t109, t105 * t107) * inverse_determinant;
-        let angular_acceleration_z = fma(-t110, t110, t105 * t106) * inverse_determinant;
-        let angular_acceleration_z_2 = fma(-t105, t108, t109 * t110) * inverse_determinant;
-        let angular_acceleration_z_3 = t115 * inverse_determinant;
-        let angular_acceleration_y_2 = t116 * inverse_determinant;
-        let angular_acceleration_x_2 = fma(t112, angular_acceleration_y_2, t111 * angular_acceleration_x);
-        let angular_acceleration_x_2 = fma(t113, angular_acceleration_z_3, angular_acceleration_x_2);
-        let angular_acceleration_y_3 = fma(t112, angular_acceleration_y, t111 * angular_acceleration_y_2);
-        let angular_acceleration_y_3 = fma(t113, angular_acceleration_z_2, angular_acceleration_y_3);
-        let angular_acceleration_z_4 = fma(t112, angular_acceleration_z_2, t111 * angular_acceleration_z_3);
-        let angular_acceleration_z_4 = fma(t113, angular_acceleration_z, angular_acceleration_z_4);
-        let acceleration_x = fma(-t93, angular_acceleration_y_3, fma(-t89, angular_acceleration_x_2, t100));
-        let acceleration_x = fma(-t96, angular_acceleration_z_4, acceleration_x);
-        let acceleration_y = fma(-t94, angular_acceleration_y_3, fma(-t90, angular_acceleration_x_2, t102));
-        let acceleration_y = fma(-t97, angular_acceleration_z_4, acceleration_y);
-        let acceleration_z = fma(-t95, angular_acceleration_y_3, fma(-t92, angular_acceleration_x_2, t104));
-        let acceleration_z = fma(-t98, angular_acceleration_z_4, acceleration_z);
+        let t95 = fma(t87, -0.0029901429709046825, fma(t84, -0.0004398005649018212, t81 * 0.13702315917076313));
+        let t96 = fma(t87, t93, fma(t84, t94, fma(-t81, t95, t75)));
+        let t97 = fma(t87, t89, fma(t84, t90, fma(-t81, t91, t77)));
+        let t98 = fma(-t86, t93, fma(t83, t94, fma(t80, t95, t79)));
+        let t99 = fma(-t96, t92, t97 * t98);
+        let t100 = fma(t88, t89, fma(-t85, t90, fma(t82, t91, t76)));
+        let t101 = fma(-t100, t98, t97 * t92);
+        let t102 = fma(t83, -0.000253729233449132, t80 * -0.0029901429709046825);
+        let t103 = fma(t86, 0.12702385080665668, t102);
+        let t104 = fma(t86, 0.000253729233449132, fma(t83, -0.1257788668457493, t80 * -0.0004398005649018212));
+        let t105 = fma(t86, 0.0029901429709046825, fma(t83, -0.0004398005649018212, t80 * -0.13702315917076313));
+        let t106 = fma(-t86, t103, fma(t83, t104, fma(t80, t105, t74)));
+        let t107 = fma(-t97, t97, t96 * t100);
+        let inverse_determinant = 1.0 / fma(t92, t99, fma(t98, t101, t106 * t107));
+        let angular_acceleration_x = t107 * inverse_determinant;
+        let angular_acceleration_y = fma(-t92, t92, t106 * t100) * inverse_determinant;
+        let angular_acceleration_z = fma(-t98, t98, t106 * t96) * inverse_determinant;
+        let angular_acceleration_z_2 = fma(-t106, t97, t92 * t98) * inverse_determinant;
+        let angular_acceleration_z_3 = t99 * inverse_determinant;
+        let angular_acceleration_y_2 = t101 * inverse_determinant;
+        let t108 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
+        let t109 = fma(reduced_force_z, 0.12702385080665668, t108);
+        let t110 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
+        let t111 = fma(reduced_force_z, 0.000253729233449132, t110);
+        let t112 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
+        let t113 = fma(reduced_force_z, 0.0029901429709046825, t112);
+        let t114 = fma(t88, t109, fma(-t85, t111, fma(t82, t113, reduced_moment_z)));
+        let t115 = fma(t87, t109, fma(t84, t111, fma(-t81, t113, reduced_moment_y)));
+        let t116 = fma(-t86, t109, fma(t83, t111, fma(t80, t113, reduced_moment_x)));
+        let angular_acceleration_x_2 = fma(t115, angular_acceleration_y_2, t116 * angular_acceleration_x);
+        let angular_acceleration_x_2 = fma(t114, angular_acceleration_z_3, angular_acceleration_x_2);
+        let angular_acceleration_y_3 = fma(t115, angular_acceleration_y, t116 * angular_acceleration_y_2);
+        let angular_acceleration_y_3 = fma(t114, angular_acceleration_z_2, angular_acceleration_y_3);
+        let angular_acceleration_z_4 = fma(t115, angular_acceleration_z_2, t116 * angular_acceleration_z_3);
+        let angular_acceleration_z_4 = fma(t114, angular_acceleration_z, angular_acceleration_z_4);
+        let acceleration_x = fma(-t95, angular_acceleration_y_3, fma(-t105, angular_acceleration_x_2, t113));
+        let acceleration_x = fma(-t91, angular_acceleration_z_4, acceleration_x);
+        let acceleration_y = fma(-t94, angular_acceleration_y_3, fma(-t104, angular_acceleration_x_2, t111));
+        let acceleration_y = fma(-t90, angular_acceleration_z_4, acceleration_y);
+        let acceleration_z = fma(-t93, angular_acceleration_y_3, fma(-t103, angular_acceleration_x_2, t109));
+        let acceleration_z = fma(-t89, angular_acceleration_z_4, acceleration_z);
 
         // Modal accelerations (12 operations: 12 multiply-add)
         let t117 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
@@ -1224,83 +1224,83 @@ const _: () = {
         let t122 = fma(-coupling_z1, angular_acceleration_z_4, fma(-coupling_y1, angular_acceleration_y_3, t121));
 
         // Derivatives of the residual (277 operations: 109 multiply-add, 79 multiply, 89 add)
-        let t123 = q0 + t21;
-        let t124 = t2 + (t1 + t23);
-        let t125 = t4 + (t3 + t25);
-        let t126 = t124 + t125;
-        let t127 = t123 - t124;
-        let t128 = t123 - t125;
-        let t129 = -0.5 * (t10 + (t9 + t31));
-        let t130 = -0.5 * (t8 + (t7 + t29));
-        let t131 = -0.5 * (t6 + (t5 + t27));
-        let t132 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
-        let t133 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
-        let t134 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
-        let t135 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
-        let t136 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
+        let t123 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
+        let t124 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
+        let t125 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
+        let t126 = -0.5 * (t10 + (t9 + t32));
+        let t127 = q0 + t22;
+        let t128 = t2 + (t1 + t24);
+        let t129 = t127 - t128;
+        let t130 = -0.5 * (t6 + (t5 + t28));
+        let t131 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t126, fma(omega_y, t129, omega_x * t130)));
+        let t132 = t4 + (t3 + t26);
+        let t133 = t127 - t132;
+        let t134 = -0.5 * (t8 + (t7 + t30));
+        let t135 = fma(0.11303908576704362, q_dot1, fma(omega_z, t133, fma(omega_y, t126, omega_x * t134)));
+        let t136 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
         let t137 = fma(0.08566760407982914, q_dot1, 0.12985232981165795 * q_dot0);
-        let t138 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
-        let t139 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
-        let t140 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t130, fma(omega_y, t131, omega_x * t126)));
-        let t141 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t129, fma(omega_y, t127, omega_x * t131)));
-        let t142 = fma(0.11303908576704362, q_dot1, fma(omega_z, t128, fma(omega_y, t129, omega_x * t130)));
-        let t143 = fma(-omega_z, t138, fma(-omega_y, t137, t57 * (t135 + t136)));
-        let t144 = fma(-omega_z, t139, fma(-omega_x, t137, t58 * (q_dot0 - t135)));
-        let t145 = fma(-omega_y, t140, omega_x * t141) + fma(t59, q_dot0 - t136, -fma(omega_y, t139, omega_x * t138));
-        let t146 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t67, -t66));
-        let t147 = fma(-0.33402903106409804, t70, fma(0.12985232981165795, t69, t146));
-        let t148 = fma(0.08566760407982914, t69, fma(-0.04431370462910027, t68, 0.00639232183790743 * t67));
-        let t149 = fma(-0.14347674245138292, t71, fma(0.06527925764351436, t70, t148));
-        let t150 = 41.0018510905971 + fma(-0.4323361376218965, t71, t147);
-        let t151 = 0.9351597374893034 + t149;
-        let t152 = q1 + t22;
-        let t153 = t11 + (t12 + t24);
-        let t154 = t13 + (t14 + t26);
-        let t155 = t153 + t154;
-        let t156 = t152 - t153;
-        let t157 = t152 - t154;
-        let t158 = -0.5 * (t19 + (t20 + t32));
-        let t159 = -0.5 * (t17 + (t18 + t30));
-        let t160 = -0.5 * (t15 + (t16 + t28));
-        let t161 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
-        let t162 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
-        let t163 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
-        let t164 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
-        let t165 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
+        let t138 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
+        let t139 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
+        let t140 = fma(-omega_z, t136, fma(-omega_y, t137, t53 * (t138 + t139)));
+        let t141 = t128 + t132;
+        let t142 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t134, fma(omega_y, t130, omega_x * t141)));
+        let t143 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
+        let t144 = fma(-omega_z, t143, fma(-omega_x, t137, t57 * (q_dot0 - t138)));
+        let t145 = fma(-omega_y, t142, omega_x * t131) + fma(t61, q_dot0 - t139, -fma(omega_y, t143, omega_x * t136));
+        let t146 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t71, -t70));
+        let t147 = fma(-0.33402903106409804, t64, fma(0.12985232981165795, t65, t146));
+        let t148 = 41.0018510905971 + fma(-0.4323361376218965, t63, t147);
+        let t149 = fma(0.08566760407982914, t65, fma(-0.04431370462910027, t68, 0.00639232183790743 * t71));
+        let t150 = fma(-0.14347674245138292, t63, fma(0.06527925764351436, t64, t149));
+        let t151 = 0.9351597374893034 + t150;
+        let t152 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
+        let t153 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
+        let t154 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
+        let t155 = -0.5 * (t19 + (t20 + t31));
+        let t156 = q1 + t21;
+        let t157 = t11 + (t12 + t23);
+        let t158 = t156 - t157;
+        let t159 = -0.5 * (t15 + (t16 + t27));
+        let t160 = fma(0.19242619512316964, q_dot0, fma(omega_z, t155, fma(omega_y, t158, omega_x * t159)));
+        let t161 = t13 + (t14 + t25);
+        let t162 = t156 - t161;
+        let t163 = -0.5 * (t17 + (t18 + t29));
+        let t164 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t162, fma(omega_y, t155, omega_x * t163)));
+        let t165 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
         let t166 = fma(0.031030589707457527, q_dot1, 0.08566760407982914 * q_dot0);
-        let t167 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
-        let t168 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
-        let t169 = fma(0.01153987579044198, q_dot0, fma(omega_z, t159, fma(omega_y, t160, omega_x * t155)));
-        let t170 = fma(0.19242619512316964, q_dot0, fma(omega_z, t158, fma(omega_y, t156, omega_x * t160)));
-        let t171 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t157, fma(omega_y, t158, omega_x * t159)));
-        let t172 = fma(-omega_z, t167, fma(-omega_y, t166, t57 * (t164 + t165)));
-        let t173 = fma(-omega_z, t168, fma(-omega_x, t166, t58 * (q_dot1 - t164)));
-        let t174 = fma(-omega_y, t169, omega_x * t170) + fma(t59, q_dot1 - t165, -fma(omega_y, t168, omega_x * t167));
-        let t175 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t67, -t66));
-        let t176 = fma(0.41141170797873267, t70, fma(0.031030589707457527, t69, t175));
-        let t177 = 70.93539824726788 + fma(0.13572545476093628, t71, t176);
+        let t167 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
+        let t168 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
+        let t169 = fma(-omega_z, t165, fma(-omega_y, t166, t53 * (t167 + t168)));
+        let t170 = t157 + t161;
+        let t171 = fma(0.01153987579044198, q_dot0, fma(omega_z, t163, fma(omega_y, t159, omega_x * t170)));
+        let t172 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
+        let t173 = fma(-omega_z, t172, fma(-omega_x, t166, t57 * (q_dot1 - t167)));
+        let t174 = fma(-omega_y, t171, omega_x * t160) + fma(t61, q_dot1 - t168, -fma(omega_y, t172, omega_x * t165));
+        let t175 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t71, -t70));
+        let t176 = fma(0.41141170797873267, t64, fma(0.031030589707457527, t65, t175));
+        let t177 = 70.93539824726788 + fma(0.13572545476093628, t63, t176);
         let t178 = moment_yy0 + moment_zz0;
         let t179 = omega_y * moment_xy0;
         let t180 = omega_z * moment_xz0;
-        let t181 = omega_x * moment_xy0;
-        let t182 = omega_z * moment_yz0;
-        let t183 = omega_x * moment_xz0;
-        let t184 = omega_y * moment_yz0;
-        let t185 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t57, t178, -t179) - t180);
-        let t186 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t58, moment_trace0 - moment_yy0, -t181) - t182);
-        let t187 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t59, moment_trace0 - moment_zz0, -(t183 + t184));
-        let t188 = fma(0.11303908576704362, t59, fma(-0.19242619512316964, t58, -0.01153987579044198 * t57));
+        let t181 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t53, t178, -t179) - t180);
+        let t182 = omega_x * moment_xy0;
+        let t183 = omega_z * moment_yz0;
+        let t184 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t57, moment_trace0 - moment_yy0, -t182) - t183);
+        let t185 = omega_x * moment_xz0;
+        let t186 = omega_y * moment_yz0;
+        let t187 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t61, moment_trace0 - moment_zz0, -(t185 + t186));
+        let t188 = fma(0.11303908576704362, t61, fma(-0.19242619512316964, t57, -0.01153987579044198 * t53));
         let t189 = moment_yy1 + moment_zz1;
         let t190 = omega_y * moment_xy1;
         let t191 = omega_z * moment_xz1;
-        let t192 = omega_x * moment_xy1;
-        let t193 = omega_z * moment_yz1;
-        let t194 = omega_x * moment_xz1;
-        let t195 = omega_y * moment_yz1;
-        let t196 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t57, t189, -t190) - t191);
-        let t197 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t58, moment_trace1 - moment_yy1, -t192) - t193);
-        let t198 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t59, moment_trace1 - moment_zz1, -(t194 + t195));
-        let t199 = fma(-0.11303908576704362, t59, fma(0.19242619512316964, t58, 0.01153987579044198 * t57));
+        let t192 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t53, t189, -t190) - t191);
+        let t193 = omega_x * moment_xy1;
+        let t194 = omega_z * moment_yz1;
+        let t195 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t57, moment_trace1 - moment_yy1, -t193) - t194);
+        let t196 = omega_x * moment_xz1;
+        let t197 = omega_y * moment_yz1;
+        let t198 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t61, moment_trace1 - moment_zz1, -(t196 + t197));
+        let t199 = fma(-0.11303908576704362, t61, fma(0.19242619512316964, t57, 0.01153987579044198 * t53));
         let t200 = omega_y * first_moment_y;
         let t201 = omega_z * first_moment_z;
         let t202 = omega_y * inertia_xz;
@@ -1311,147 +1311,147 @@ const _: () = {
         let t207 = omega_x * first_moment_x;
         let t208 = omega_x * inertia_yz;
         let t209 = omega_y + omega_y;
-        let t210 = fma(2.0, whirl_y0, t182 + fma(t209, moment_yy0 - moment_trace0, t181));
-        let t211 = fma(2.0, whirl_y1, t193 + fma(t209, moment_yy1 - moment_trace1, t192));
+        let t210 = fma(2.0, whirl_y0, t183 + fma(t209, moment_yy0 - moment_trace0, t182));
+        let t211 = fma(2.0, whirl_y1, t194 + fma(t209, moment_yy1 - moment_trace1, t193));
         let t212 = omega_z + omega_z;
-        let t213 = fma(2.0, whirl_z0, t184 + fma(t212, moment_zz0 - moment_trace0, t183));
-        let t214 = fma(2.0, whirl_z1, t195 + fma(t212, moment_zz1 - moment_trace1, t194));
+        let t213 = fma(2.0, whirl_z0, t186 + fma(t212, moment_zz0 - moment_trace0, t185));
+        let t214 = fma(2.0, whirl_z1, t197 + fma(t212, moment_zz1 - moment_trace1, t196));
 
         // Derivatives of the accelerations (693 operations: 607 multiply-add, 71 multiply, 15 add)
-        let t215 = fma(-0.14106512955956807, angular_acceleration_y_3, fma(-omega_z, t133, omega_y * t134));
-        let t216 = fma(0.14106512955956807, angular_acceleration_x_2, fma(-omega_x, t134, omega_z * t132));
-        let t217 = fma(-0.013296641892764124, angular_acceleration_x_2, fma(-omega_y, t132, omega_x * t133));
-        let t218 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t141, omega_y * t142) + t143);
-        let t219 = fma(angular_acceleration_x_2, t126, fma(-0.013296641892764124, acceleration_z, t218));
-        let t220 = fma(angular_acceleration_z_4, t130, fma(angular_acceleration_y_3, t131, t219));
-        let t221 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t142, omega_z * t140) + t144);
-        let t222 = fma(angular_acceleration_x_2, t131, fma(0.7613599420768367, acceleration_z, t221));
-        let t223 = fma(angular_acceleration_z_4, t129, fma(angular_acceleration_y_3, t127, t222));
-        let t224 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t145));
-        let t225 = fma(angular_acceleration_y_3, t129, fma(angular_acceleration_x_2, t130, t224));
-        let t226 = fma(0.11303908576704362, t122, fma(angular_acceleration_z_4, t128, t225));
-        let t227 = fma(-0.19242619512316964, angular_acceleration_y_3, fma(-0.01153987579044198, angular_acceleration_x_2, t151));
-        let t228 = fma(0.11303908576704362, angular_acceleration_z_4, t227);
-        let reduced_force_x_2 = fma(-0.7613599420768367, t150, fma(-0.013296641892764124, angular_acceleration_z_4, -t215));
-        let reduced_force_x_2 = fma(0.26899095817779994, t228, reduced_force_x_2);
-        let t229 = fma(t150, 0.013296641892764124, fma(-0.7613599420768367, angular_acceleration_z_4, t216));
-        let t230 = fma(t228, -0.055993206221893924, t229);
-        let reduced_force_z_2 = fma(-0.14106512955956807, t150, fma(-0.7613599420768367, angular_acceleration_y_3, -t217));
-        let reduced_force_z_2 = fma(0.23954110582463117, t228, reduced_force_z_2);
-        let reduced_moment_x_2 = fma(coupling_x0, t150, -fma(-0.01153987579044198, t122, t220));
-        let reduced_moment_x_2 = fma(coupling_x1, t228, reduced_moment_x_2);
-        let reduced_moment_y_2 = fma(coupling_y0, t150, -fma(-0.19242619512316964, t122, t223));
-        let reduced_moment_y_2 = fma(coupling_y1, t228, reduced_moment_y_2);
-        let reduced_moment_z_2 = fma(coupling_z1, t228, fma(coupling_z0, t150, -t226));
-        let t231 = fma(-0.0004398005649018212, t230, 0.13702315917076313 * reduced_force_x_2);
-        let t232 = fma(0.0029901429709046825, reduced_force_z_2, t231);
+        let t215 = fma(-0.19242619512316964, angular_acceleration_y_3, fma(-0.01153987579044198, angular_acceleration_x_2, t151));
+        let t216 = fma(0.11303908576704362, angular_acceleration_z_4, t215);
+        let t217 = fma(-0.14106512955956807, angular_acceleration_y_3, fma(-omega_z, t123, omega_y * t124));
+        let reduced_force_x_2 = fma(-0.7613599420768367, t148, fma(-0.013296641892764124, angular_acceleration_z_4, -t217));
+        let reduced_force_x_2 = fma(0.26899095817779994, t216, reduced_force_x_2);
+        let t218 = fma(-0.013296641892764124, angular_acceleration_x_2, fma(-omega_y, t125, omega_x * t123));
+        let reduced_force_z_2 = fma(-0.14106512955956807, t148, fma(-0.7613599420768367, angular_acceleration_y_3, -t218));
+        let reduced_force_z_2 = fma(0.23954110582463117, t216, reduced_force_z_2);
+        let t219 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t131, omega_y * t135) + t140);
+        let t220 = fma(angular_acceleration_x_2, t141, fma(-0.013296641892764124, acceleration_z, t219));
+        let t221 = fma(angular_acceleration_z_4, t134, fma(angular_acceleration_y_3, t130, t220));
+        let reduced_moment_x_2 = fma(coupling_x0, t148, -fma(-0.01153987579044198, t122, t221));
+        let reduced_moment_x_2 = fma(coupling_x1, t216, reduced_moment_x_2);
+        let t222 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t135, omega_z * t142) + t144);
+        let t223 = fma(angular_acceleration_x_2, t130, fma(0.7613599420768367, acceleration_z, t222));
+        let t224 = fma(angular_acceleration_z_4, t126, fma(angular_acceleration_y_3, t129, t223));
+        let reduced_moment_y_2 = fma(coupling_y0, t148, -fma(-0.19242619512316964, t122, t224));
+        let reduced_moment_y_2 = fma(coupling_y1, t216, reduced_moment_y_2);
+        let t225 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t145));
+        let t226 = fma(angular_acceleration_y_3, t126, fma(angular_acceleration_x_2, t134, t225));
+        let t227 = fma(0.11303908576704362, t122, fma(angular_acceleration_z_4, t133, t226));
+        let reduced_moment_z_2 = fma(coupling_z1, t216, fma(coupling_z0, t148, -t227));
+        let t228 = fma(0.14106512955956807, angular_acceleration_x_2, fma(-omega_x, t124, omega_z * t125));
+        let t229 = fma(t148, 0.013296641892764124, fma(-0.7613599420768367, angular_acceleration_z_4, t228));
+        let t230 = fma(t216, -0.055993206221893924, t229);
+        let t231 = fma(-0.000253729233449132, t230, 0.0029901429709046825 * reduced_force_x_2);
+        let t232 = fma(0.12702385080665668, reduced_force_z_2, t231);
         let t233 = fma(-0.1257788668457493, t230, 0.0004398005649018212 * reduced_force_x_2);
         let t234 = fma(0.000253729233449132, reduced_force_z_2, t233);
-        let t235 = fma(-0.000253729233449132, t230, 0.0029901429709046825 * reduced_force_x_2);
-        let t236 = fma(0.12702385080665668, reduced_force_z_2, t235);
-        let t237 = fma(-t86, t236, fma(t83, t234, fma(t80, t232, reduced_moment_x_2)));
-        let t238 = fma(t87, t236, fma(t84, t234, fma(-t81, t232, reduced_moment_y_2)));
-        let t239 = fma(t88, t236, fma(-t85, t234, fma(t82, t232, reduced_moment_z_2)));
-        let angular_acceleration_x_3 = fma(angular_acceleration_y_2, t238, angular_acceleration_x * t237);
-        let angular_acceleration_x_3 = fma(angular_acceleration_z_3, t239, angular_acceleration_x_3);
-        let angular_acceleration_y_4 = fma(angular_acceleration_y, t238, angular_acceleration_y_2 * t237);
-        let angular_acceleration_y_4 = fma(angular_acceleration_z_2, t239, angular_acceleration_y_4);
-        let angular_acceleration_z_5 = fma(angular_acceleration_z_2, t238, angular_acceleration_z_3 * t237);
-        let angular_acceleration_z_5 = fma(angular_acceleration_z, t239, angular_acceleration_z_5);
-        let acceleration_x_2 = fma(-t93, angular_acceleration_y_4, fma(-t89, angular_acceleration_x_3, t232));
-        let acceleration_x_2 = fma(-t96, angular_acceleration_z_5, acceleration_x_2);
-        let acceleration_y_2 = fma(-t94, angular_acceleration_y_4, fma(-t90, angular_acceleration_x_3, t234));
-        let acceleration_y_2 = fma(-t97, angular_acceleration_z_5, acceleration_y_2);
-        let acceleration_z_2 = fma(-t95, angular_acceleration_y_4, fma(-t92, angular_acceleration_x_3, t236));
-        let acceleration_z_2 = fma(-t98, angular_acceleration_z_5, acceleration_z_2);
-        let t240 = fma(-0.013296641892764124, acceleration_y_2, fma(-0.7613599420768367, acceleration_x_2, t150));
+        let t235 = fma(-0.0004398005649018212, t230, 0.13702315917076313 * reduced_force_x_2);
+        let t236 = fma(0.0029901429709046825, reduced_force_z_2, t235);
+        let t237 = fma(t88, t232, fma(-t85, t234, fma(t82, t236, reduced_moment_z_2)));
+        let t238 = fma(t87, t232, fma(t84, t234, fma(-t81, t236, reduced_moment_y_2)));
+        let t239 = fma(-t86, t232, fma(t83, t234, fma(t80, t236, reduced_moment_x_2)));
+        let angular_acceleration_x_3 = fma(angular_acceleration_y_2, t238, angular_acceleration_x * t239);
+        let angular_acceleration_x_3 = fma(angular_acceleration_z_3, t237, angular_acceleration_x_3);
+        let angular_acceleration_y_4 = fma(angular_acceleration_y, t238, angular_acceleration_y_2 * t239);
+        let angular_acceleration_y_4 = fma(angular_acceleration_z_2, t237, angular_acceleration_y_4);
+        let angular_acceleration_z_5 = fma(angular_acceleration_z_2, t238, angular_acceleration_z_3 * t239);
+        let angular_acceleration_z_5 = fma(angular_acceleration_z, t237, angular_acceleration_z_5);
+        let acceleration_x_2 = fma(-t95, angular_acceleration_y_4, fma(-t105, angular_acceleration_x_3, t236));
+        let acceleration_x_2 = fma(-t91, angular_acceleration_z_5, acceleration_x_2);
+        let acceleration_y_2 = fma(-t94, angular_acceleration_y_4, fma(-t104, angular_acceleration_x_3, t234));
+        let acceleration_y_2 = fma(-t90, angular_acceleration_z_5, acceleration_y_2);
+        let acceleration_z_2 = fma(-t93, angular_acceleration_y_4, fma(-t103, angular_acceleration_x_3, t232));
+        let acceleration_z_2 = fma(-t89, angular_acceleration_z_5, acceleration_z_2);
+        let t240 = fma(-0.013296641892764124, acceleration_y_2, fma(-0.7613599420768367, acceleration_x_2, t148));
         let t241 = fma(coupling_x0, angular_acceleration_x_3, fma(-0.14106512955956807, acceleration_z_2, t240));
         let t242 = fma(coupling_z0, angular_acceleration_z_5, fma(coupling_y0, angular_acceleration_y_4, t241));
-        let t243 = fma(0.055993206221893924, acceleration_y_2, fma(0.26899095817779994, acceleration_x_2, t228));
+        let t243 = fma(0.055993206221893924, acceleration_y_2, fma(0.26899095817779994, acceleration_x_2, t216));
         let t244 = fma(coupling_x1, angular_acceleration_x_3, fma(0.23954110582463117, acceleration_z_2, t243));
         let t245 = fma(coupling_z1, angular_acceleration_z_5, fma(coupling_y1, angular_acceleration_y_4, t244));
-        let t246 = fma(0.23954110582463117, angular_acceleration_y_3, fma(-omega_z, t162, omega_y * t163));
-        let t247 = fma(-0.23954110582463117, angular_acceleration_x_2, fma(-omega_x, t163, omega_z * t161));
-        let t248 = fma(0.055993206221893924, angular_acceleration_x_2, fma(-omega_y, t161, omega_x * t162));
-        let t249 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t170, omega_y * t171) + t172);
-        let t250 = fma(angular_acceleration_x_2, t155, fma(0.055993206221893924, acceleration_z, t249));
-        let t251 = fma(angular_acceleration_z_4, t159, fma(angular_acceleration_y_3, t160, t250));
-        let t252 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t171, omega_z * t169) + t173);
-        let t253 = fma(angular_acceleration_x_2, t160, fma(-0.26899095817779994, acceleration_z, t252));
-        let t254 = fma(angular_acceleration_z_4, t158, fma(angular_acceleration_y_3, t156, t253));
-        let t255 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t174));
-        let t256 = fma(angular_acceleration_y_3, t158, fma(angular_acceleration_x_2, t159, t255));
-        let t257 = fma(-0.11303908576704362, t119, fma(angular_acceleration_z_4, t157, t256));
-        let t258 = fma(0.19242619512316964, angular_acceleration_y_3, fma(0.01153987579044198, angular_acceleration_x_2, t151));
-        let t259 = fma(-0.11303908576704362, angular_acceleration_z_4, t258);
-        let reduced_force_x_3 = fma(-0.7613599420768367, t259, fma(0.055993206221893924, angular_acceleration_z_4, -t246));
+        let t246 = fma(0.19242619512316964, angular_acceleration_y_3, fma(0.01153987579044198, angular_acceleration_x_2, t151));
+        let t247 = fma(-0.11303908576704362, angular_acceleration_z_4, t246);
+        let t248 = fma(0.23954110582463117, angular_acceleration_y_3, fma(-omega_z, t152, omega_y * t153));
+        let reduced_force_x_3 = fma(-0.7613599420768367, t247, fma(0.055993206221893924, angular_acceleration_z_4, -t248));
         let reduced_force_x_3 = fma(0.26899095817779994, t177, reduced_force_x_3);
-        let t260 = fma(0.013296641892764124, t259, fma(0.26899095817779994, angular_acceleration_z_4, t247));
-        let t261 = fma(t177, -0.055993206221893924, t260);
-        let reduced_force_z_3 = fma(-0.14106512955956807, t259, fma(0.26899095817779994, angular_acceleration_y_3, -t248));
+        let t249 = fma(0.055993206221893924, angular_acceleration_x_2, fma(-omega_y, t154, omega_x * t152));
+        let reduced_force_z_3 = fma(-0.14106512955956807, t247, fma(0.26899095817779994, angular_acceleration_y_3, -t249));
         let reduced_force_z_3 = fma(0.23954110582463117, t177, reduced_force_z_3);
-        let reduced_moment_x_3 = fma(coupling_x0, t259, -fma(0.01153987579044198, t119, t251));
+        let t250 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t160, omega_y * t164) + t169);
+        let t251 = fma(angular_acceleration_x_2, t170, fma(0.055993206221893924, acceleration_z, t250));
+        let t252 = fma(angular_acceleration_z_4, t163, fma(angular_acceleration_y_3, t159, t251));
+        let reduced_moment_x_3 = fma(coupling_x0, t247, -fma(0.01153987579044198, t119, t252));
         let reduced_moment_x_3 = fma(coupling_x1, t177, reduced_moment_x_3);
-        let reduced_moment_y_3 = fma(coupling_y0, t259, -fma(0.19242619512316964, t119, t254));
+        let t253 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t164, omega_z * t171) + t173);
+        let t254 = fma(angular_acceleration_x_2, t159, fma(-0.26899095817779994, acceleration_z, t253));
+        let t255 = fma(angular_acceleration_z_4, t155, fma(angular_acceleration_y_3, t158, t254));
+        let reduced_moment_y_3 = fma(coupling_y0, t247, -fma(0.19242619512316964, t119, t255));
         let reduced_moment_y_3 = fma(coupling_y1, t177, reduced_moment_y_3);
-        let reduced_moment_z_3 = fma(coupling_z1, t177, fma(coupling_z0, t259, -t257));
-        let t262 = fma(-0.0004398005649018212, t261, 0.13702315917076313 * reduced_force_x_3);
-        let t263 = fma(0.0029901429709046825, reduced_force_z_3, t262);
+        let t256 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t174));
+        let t257 = fma(angular_acceleration_y_3, t155, fma(angular_acceleration_x_2, t163, t256));
+        let t258 = fma(-0.11303908576704362, t119, fma(angular_acceleration_z_4, t162, t257));
+        let reduced_moment_z_3 = fma(coupling_z1, t177, fma(coupling_z0, t247, -t258));
+        let t259 = fma(-0.23954110582463117, angular_acceleration_x_2, fma(-omega_x, t153, omega_z * t154));
+        let t260 = fma(0.013296641892764124, t247, fma(0.26899095817779994, angular_acceleration_z_4, t259));
+        let t261 = fma(t177, -0.055993206221893924, t260);
+        let t262 = fma(-0.000253729233449132, t261, 0.0029901429709046825 * reduced_force_x_3);
+        let t263 = fma(0.12702385080665668, reduced_force_z_3, t262);
         let t264 = fma(-0.1257788668457493, t261, 0.0004398005649018212 * reduced_force_x_3);
         let t265 = fma(0.000253729233449132, reduced_force_z_3, t264);
-        let t266 = fma(-0.000253729233449132, t261, 0.0029901429709046825 * reduced_force_x_3);
-        let t267 = fma(0.12702385080665668, reduced_force_z_3, t266);
-        let t268 = fma(-t86, t267, fma(t83, t265, fma(t80, t263, reduced_moment_x_3)));
-        let t269 = fma(t87, t267, fma(t84, t265, fma(-t81, t263, reduced_moment_y_3)));
-        let t270 = fma(t88, t267, fma(-t85, t265, fma(t82, t263, reduced_moment_z_3)));
-        let angular_acceleration_x_4 = fma(angular_acceleration_y_2, t269, angular_acceleration_x * t268);
-        let angular_acceleration_x_4 = fma(angular_acceleration_z_3, t270, angular_acceleration_x_4);
-        let angular_acceleration_y_5 = fma(angular_acceleration_y, t269, angular_acceleration_y_2 * t268);
-        let angular_acceleration_y_5 = fma(angular_acceleration_z_2, t270, angular_acceleration_y_5);
-        let angular_acceleration_z_6 = fma(angular_acceleration_z_2, t269, angular_acceleration_z_3 * t268);
-        let angular_acceleration_z_6 = fma(angular_acceleration_z, t270, angular_acceleration_z_6);
-        let acceleration_x_3 = fma(-t93, angular_acceleration_y_5, fma(-t89, angular_acceleration_x_4, t263));
-        let acceleration_x_3 = fma(-t96, angular_acceleration_z_6, acceleration_x_3);
-        let acceleration_y_3 = fma(-t94, angular_acceleration_y_5, fma(-t90, angular_acceleration_x_4, t265));
-        let acceleration_y_3 = fma(-t97, angular_acceleration_z_6, acceleration_y_3);
-        let acceleration_z_3 = fma(-t95, angular_acceleration_y_5, fma(-t92, angular_acceleration_x_4, t267));
-        let acceleration_z_3 = fma(-t98, angular_acceleration_z_6, acceleration_z_3);
-        let t271 = fma(-0.013296641892764124, acceleration_y_3, fma(-0.7613599420768367, acceleration_x_3, t259));
+        let t266 = fma(-0.0004398005649018212, t261, 0.13702315917076313 * reduced_force_x_3);
+        let t267 = fma(0.0029901429709046825, reduced_force_z_3, t266);
+        let t268 = fma(t88, t263, fma(-t85, t265, fma(t82, t267, reduced_moment_z_3)));
+        let t269 = fma(t87, t263, fma(t84, t265, fma(-t81, t267, reduced_moment_y_3)));
+        let t270 = fma(-t86, t263, fma(t83, t265, fma(t80, t267, reduced_moment_x_3)));
+        let angular_acceleration_x_4 = fma(angular_acceleration_y_2, t269, angular_acceleration_x * t270);
+        let angular_acceleration_x_4 = fma(angular_acceleration_z_3, t268, angular_acceleration_x_4);
+        let angular_acceleration_y_5 = fma(angular_acceleration_y, t269, angular_acceleration_y_2 * t270);
+        let angular_acceleration_y_5 = fma(angular_acceleration_z_2, t268, angular_acceleration_y_5);
+        let angular_acceleration_z_6 = fma(angular_acceleration_z_2, t269, angular_acceleration_z_3 * t270);
+        let angular_acceleration_z_6 = fma(angular_acceleration_z, t268, angular_acceleration_z_6);
+        let acceleration_x_3 = fma(-t95, angular_acceleration_y_5, fma(-t105, angular_acceleration_x_4, t267));
+        let acceleration_x_3 = fma(-t91, angular_acceleration_z_6, acceleration_x_3);
+        let acceleration_y_3 = fma(-t94, angular_acceleration_y_5, fma(-t104, angular_acceleration_x_4, t265));
+        let acceleration_y_3 = fma(-t90, angular_acceleration_z_6, acceleration_y_3);
+        let acceleration_z_3 = fma(-t93, angular_acceleration_y_5, fma(-t103, angular_acceleration_x_4, t263));
+        let acceleration_z_3 = fma(-t89, angular_acceleration_z_6, acceleration_z_3);
+        let t271 = fma(-0.013296641892764124, acceleration_y_3, fma(-0.7613599420768367, acceleration_x_3, t247));
         let t272 = fma(coupling_x0, angular_acceleration_x_4, fma(-0.14106512955956807, acceleration_z_3, t271));
         let t273 = fma(coupling_z0, angular_acceleration_z_6, fma(coupling_y0, angular_acceleration_y_5, t272));
         let t274 = fma(0.055993206221893924, acceleration_y_3, fma(0.26899095817779994, acceleration_x_3, t177));
         let t275 = fma(coupling_x1, angular_acceleration_x_4, fma(0.23954110582463117, acceleration_z_3, t274));
         let t276 = fma(coupling_z1, angular_acceleration_z_6, fma(coupling_y1, angular_acceleration_y_5, t275));
         let reduced_force_x_4 = fma(0.28213025911913614, omega_y, omega_z * -0.02659328378552825);
-        let reduced_force_y_2 = fma(1.5227198841536733, omega_z, omega_x * -0.28213025911913614);
-        let reduced_force_z_4 = fma(0.02659328378552825, omega_x, omega_y * -1.5227198841536733);
         let reduced_force_x_4 = fma(0.26899095817779994, t188, reduced_force_x_4 - 0.3121716697138009);
+        let reduced_force_y_2 = fma(1.5227198841536733, omega_z, omega_x * -0.28213025911913614);
         let reduced_force_y_2 = fma(0.055993206221893924, t188, reduced_force_y_2 - 0.005451869308921099);
+        let reduced_force_z_4 = fma(0.02659328378552825, omega_x, omega_y * -1.5227198841536733);
         let reduced_force_z_4 = fma(0.23954110582463117, t188, reduced_force_z_4 - 0.057839314362771975);
-        let reduced_moment_x_4 = fma(coupling_x1, t188, -fma(coupling_x0, -0.410018510905971, t185));
-        let reduced_moment_y_4 = fma(coupling_y1, t188, -fma(coupling_y0, -0.410018510905971, t186));
+        let reduced_moment_x_4 = fma(coupling_x1, t188, -fma(coupling_x0, -0.410018510905971, t181));
+        let reduced_moment_y_4 = fma(coupling_y1, t188, -fma(coupling_y0, -0.410018510905971, t184));
         let reduced_moment_z_4 = fma(coupling_z1, t188, -fma(coupling_z0, -0.410018510905971, t187));
-        let t277 = fma(0.0004398005649018212, reduced_force_y_2, 0.13702315917076313 * reduced_force_x_4);
-        let t278 = fma(0.0029901429709046825, reduced_force_z_4, t277);
+        let t277 = fma(0.000253729233449132, reduced_force_y_2, 0.0029901429709046825 * reduced_force_x_4);
+        let t278 = fma(0.12702385080665668, reduced_force_z_4, t277);
         let t279 = fma(0.1257788668457493, reduced_force_y_2, 0.0004398005649018212 * reduced_force_x_4);
         let t280 = fma(0.000253729233449132, reduced_force_z_4, t279);
-        let t281 = fma(0.000253729233449132, reduced_force_y_2, 0.0029901429709046825 * reduced_force_x_4);
-        let t282 = fma(0.12702385080665668, reduced_force_z_4, t281);
-        let t283 = fma(-t86, t282, fma(t83, t280, fma(t80, t278, reduced_moment_x_4)));
-        let t284 = fma(t87, t282, fma(t84, t280, fma(-t81, t278, reduced_moment_y_4)));
-        let t285 = fma(t88, t282, fma(-t85, t280, fma(t82, t278, reduced_moment_z_4)));
-        let angular_acceleration_x_5 = fma(angular_acceleration_y_2, t284, angular_acceleration_x * t283);
-        let angular_acceleration_x_5 = fma(angular_acceleration_z_3, t285, angular_acceleration_x_5);
-        let angular_acceleration_y_6 = fma(angular_acceleration_y, t284, angular_acceleration_y_2 * t283);
-        let angular_acceleration_y_6 = fma(angular_acceleration_z_2, t285, angular_acceleration_y_6);
-        let angular_acceleration_z_7 = fma(angular_acceleration_z_2, t284, angular_acceleration_z_3 * t283);
-        let angular_acceleration_z_7 = fma(angular_acceleration_z, t285, angular_acceleration_z_7);
-        let acceleration_x_4 = fma(-t93, angular_acceleration_y_6, fma(-t89, angular_acceleration_x_5, t278));
-        let acceleration_x_4 = fma(-t96, angular_acceleration_z_7, acceleration_x_4);
-        let acceleration_y_4 = fma(-t94, angular_acceleration_y_6, fma(-t90, angular_acceleration_x_5, t280));
-        let acceleration_y_4 = fma(-t97, angular_acceleration_z_7, acceleration_y_4);
-        let acceleration_z_4 = fma(-t95, angular_acceleration_y_6, fma(-t92, angular_acceleration_x_5, t282));
-        let acceleration_z_4 = fma(-t98, angular_acceleration_z_7, acceleration_z_4);
+        let t281 = fma(0.0004398005649018212, reduced_force_y_2, 0.13702315917076313 * reduced_force_x_4);
+        let t282 = fma(0.0029901429709046825, reduced_force_z_4, t281);
+        let t283 = fma(t88, t278, fma(-t85, t280, fma(t82, t282, reduced_moment_z_4)));
+        let t284 = fma(t87, t278, fma(t84, t280, fma(-t81, t282, reduced_moment_y_4)));
+        let t285 = fma(-t86, t278, fma(t83, t280, fma(t80, t282, reduced_moment_x_4)));
+        let angular_acceleration_x_5 = fma(angular_acceleration_y_2, t284, angular_acceleration_x * t285);
+        let angular_acceleration_x_5 = fma(angular_acceleration_z_3, t283, angular_acceleration_x_5);
+        let angular_acceleration_y_6 = fma(angular_acceleration_y, t284, angular_acceleration_y_2 * t285);
+        let angular_acceleration_y_6 = fma(angular_acceleration_z_2, t283, angular_acceleration_y_6);
+        let angular_acceleration_z_7 = fma(angular_acceleration_z_2, t284, angular_acceleration_z_3 * t285);
+        let angular_acceleration_z_7 = fma(angular_acceleration_z, t283, angular_acceleration_z_7);
+        let acceleration_x_4 = fma(-t95, angular_acceleration_y_6, fma(-t105, angular_acceleration_x_5, t282));
+        let acceleration_x_4 = fma(-t91, angular_acceleration_z_7, acceleration_x_4);
+        let acceleration_y_4 = fma(-t94, angular_acceleration_y_6, fma(-t104, angular_acceleration_x_5, t280));
+        let acceleration_y_4 = fma(-t90, angular_acceleration_z_7, acceleration_y_4);
+        let acceleration_z_4 = fma(-t93, angular_acceleration_y_6, fma(-t103, angular_acceleration_x_5, t278));
+        let acceleration_z_4 = fma(-t89, angular_acceleration_z_7, acceleration_z_4);
         let t286 = fma(0.7613599420768367, acceleration_x_4, -0.410018510905971);
         let t287 = fma(0.14106512955956807, acceleration_z_4, fma(0.013296641892764124, acceleration_y_4, t286));
         let t288 = fma(-coupling_y0, angular_acceleration_y_6, fma(-coupling_x0, angular_acceleration_x_5, t287));
@@ -1459,238 +1459,238 @@ const _: () = {
         let t290 = fma(coupling_x1, angular_acceleration_x_5, fma(0.23954110582463117, acceleration_z_4, t289));
         let t291 = fma(coupling_z1, angular_acceleration_z_7, fma(coupling_y1, angular_acceleration_y_6, t290));
         let reduced_force_x_5 = fma(-0.47908221164926235, omega_y, omega_z * 0.11198641244378785);
-        let reduced_force_y_3 = fma(-0.5379819163555999, omega_z, omega_x * 0.47908221164926235);
-        let reduced_force_z_5 = fma(-0.11198641244378785, omega_x, omega_y * 0.5379819163555999);
         let reduced_force_x_5 = fma(-0.7613599420768367, t199, reduced_force_x_5) + 0.1908098074325642;
+        let reduced_force_y_3 = fma(-0.5379819163555999, omega_z, omega_x * 0.47908221164926235);
         let reduced_force_y_3 = fma(-0.013296641892764124, t199, reduced_force_y_3) + 0.03971900382491444;
+        let reduced_force_z_5 = fma(-0.11198641244378785, omega_x, omega_y * 0.5379819163555999);
         let reduced_force_z_5 = fma(-0.14106512955956807, t199, reduced_force_z_5) + 0.16991943738261153;
-        let reduced_moment_x_5 = fma(0.7093539824726789, coupling_x1, fma(coupling_x0, t199, -t196));
-        let reduced_moment_y_5 = fma(0.7093539824726789, coupling_y1, fma(coupling_y0, t199, -t197));
+        let reduced_moment_x_5 = fma(0.7093539824726789, coupling_x1, fma(coupling_x0, t199, -t192));
+        let reduced_moment_y_5 = fma(0.7093539824726789, coupling_y1, fma(coupling_y0, t199, -t195));
         let reduced_moment_z_5 = fma(0.7093539824726789, coupling_z1, fma(coupling_z0, t199, -t198));
-        let t292 = fma(0.0004398005649018212, reduced_force_y_3, 0.13702315917076313 * reduced_force_x_5);
-        let t293 = fma(0.0029901429709046825, reduced_force_z_5, t292);
+        let t292 = fma(0.000253729233449132, reduced_force_y_3, 0.0029901429709046825 * reduced_force_x_5);
+        let t293 = fma(0.12702385080665668, reduced_force_z_5, t292);
         let t294 = fma(0.1257788668457493, reduced_force_y_3, 0.0004398005649018212 * reduced_force_x_5);
         let t295 = fma(0.000253729233449132, reduced_force_z_5, t294);
-        let t296 = fma(0.000253729233449132, reduced_force_y_3, 0.0029901429709046825 * reduced_force_x_5);
-        let t297 = fma(0.12702385080665668, reduced_force_z_5, t296);
-        let t298 = fma(-t86, t297, fma(t83, t295, fma(t80, t293, reduced_moment_x_5)));
-        let t299 = fma(t87, t297, fma(t84, t295, fma(-t81, t293, reduced_moment_y_5)));
-        let t300 = fma(t88, t297, fma(-t85, t295, fma(t82, t293, reduced_moment_z_5)));
-        let angular_acceleration_x_6 = fma(angular_acceleration_y_2, t299, angular_acceleration_x * t298);
-        let angular_acceleration_x_6 = fma(angular_acceleration_z_3, t300, angular_acceleration_x_6);
-        let angular_acceleration_y_7 = fma(angular_acceleration_y, t299, angular_acceleration_y_2 * t298);
-        let angular_acceleration_y_7 = fma(angular_acceleration_z_2, t300, angular_acceleration_y_7);
-        let angular_acceleration_z_8 = fma(angular_acceleration_z_2, t299, angular_acceleration_z_3 * t298);
-        let angular_acceleration_z_8 = fma(angular_acceleration_z, t300, angular_acceleration_z_8);
-        let acceleration_x_5 = fma(-t93, angular_acceleration_y_7, fma(-t89, angular_acceleration_x_6, t293));
-        let acceleration_x_5 = fma(-t96, angular_acceleration_z_8, acceleration_x_5);
-        let acceleration_y_5 = fma(-t94, angular_acceleration_y_7, fma(-t90, angular_acceleration_x_6, t295));
-        let acceleration_y_5 = fma(-t97, angular_acceleration_z_8, acceleration_y_5);
-        let acceleration_z_5 = fma(-t95, angular_acceleration_y_7, fma(-t92, angular_acceleration_x_6, t297));
-        let acceleration_z_5 = fma(-t98, angular_acceleration_z_8, acceleration_z_5);
+        let t296 = fma(0.0004398005649018212, reduced_force_y_3, 0.13702315917076313 * reduced_force_x_5);
+        let t297 = fma(0.0029901429709046825, reduced_force_z_5, t296);
+        let t298 = fma(t88, t293, fma(-t85, t295, fma(t82, t297, reduced_moment_z_5)));
+        let t299 = fma(t87, t293, fma(t84, t295, fma(-t81, t297, reduced_moment_y_5)));
+        let t300 = fma(-t86, t293, fma(t83, t295, fma(t80, t297, reduced_moment_x_5)));
+        let angular_acceleration_x_6 = fma(angular_acceleration_y_2, t299, angular_acceleration_x * t300);
+        let angular_acceleration_x_6 = fma(angular_acceleration_z_3, t298, angular_acceleration_x_6);
+        let angular_acceleration_y_7 = fma(angular_acceleration_y, t299, angular_acceleration_y_2 * t300);
+        let angular_acceleration_y_7 = fma(angular_acceleration_z_2, t298, angular_acceleration_y_7);
+        let angular_acceleration_z_8 = fma(angular_acceleration_z_2, t299, angular_acceleration_z_3 * t300);
+        let angular_acceleration_z_8 = fma(angular_acceleration_z, t298, angular_acceleration_z_8);
+        let acceleration_x_5 = fma(-t95, angular_acceleration_y_7, fma(-t105, angular_acceleration_x_6, t297));
+        let acceleration_x_5 = fma(-t91, angular_acceleration_z_8, acceleration_x_5);
+        let acceleration_y_5 = fma(-t94, angular_acceleration_y_7, fma(-t104, angular_acceleration_x_6, t295));
+        let acceleration_y_5 = fma(-t90, angular_acceleration_z_8, acceleration_y_5);
+        let acceleration_z_5 = fma(-t93, angular_acceleration_y_7, fma(-t103, angular_acceleration_x_6, t293));
+        let acceleration_z_5 = fma(-t89, angular_acceleration_z_8, acceleration_z_5);
         let t301 = fma(-0.013296641892764124, acceleration_y_5, fma(-0.7613599420768367, acceleration_x_5, t199));
         let t302 = fma(coupling_x0, angular_acceleration_x_6, fma(-0.14106512955956807, acceleration_z_5, t301));
         let t303 = fma(coupling_z0, angular_acceleration_z_8, fma(coupling_y0, angular_acceleration_y_7, t302));
         let t304 = fma(-0.26899095817779994, acceleration_x_5, -0.7093539824726789);
         let t305 = fma(-0.23954110582463117, acceleration_z_5, fma(-0.055993206221893924, acceleration_y_5, t304));
         let t306 = fma(-coupling_y1, angular_acceleration_y_7, fma(-coupling_x1, angular_acceleration_x_6, t305));
+        let reduced_force_y_4 = fma(0.055993206221893924, t206, fma(-0.013296641892764124, t205, t38 + t40));
+        let reduced_force_z_6 = fma(0.23954110582463117, t206, fma(-0.14106512955956807, t205, t35 - t36));
+        let reduced_moment_x_6 = fma(coupling_x1, t206, fma(coupling_x0, t205, -fma(2.0, t52, t202 - t203)));
         let reduced_moment_y_6 = rate_xy - fma(omega_z, inertia_xx, -(t49 + angular_momentum_z));
-        let reduced_moment_z_6 = rate_xz - fma(-omega_y, inertia_xx, t47 + angular_momentum_y);
-        let t307 = fma(t206, -0.26899095817779994, fma(t205, 0.7613599420768367, t200 + t201));
-        let reduced_force_y_4 = fma(0.055993206221893924, t206, fma(-0.013296641892764124, t205, t40 + t44));
-        let reduced_force_z_6 = fma(0.23954110582463117, t206, fma(-0.14106512955956807, t205, t39 - t43));
-        let reduced_moment_x_6 = fma(coupling_x1, t206, fma(coupling_x0, t205, -fma(2.0, t54, t202 - t203)));
         let reduced_moment_y_6 = fma(coupling_y1, t206, fma(coupling_y0, t205, reduced_moment_y_6));
+        let reduced_moment_z_6 = rate_xz - fma(-omega_y, inertia_xx, t47 + angular_momentum_y);
         let reduced_moment_z_6 = fma(coupling_z1, t206, fma(coupling_z0, t205, reduced_moment_z_6));
-        let t308 = fma(0.0004398005649018212, reduced_force_y_4, -0.13702315917076313 * t307);
-        let t309 = fma(0.0029901429709046825, reduced_force_z_6, t308);
+        let t307 = fma(t206, -0.26899095817779994, fma(t205, 0.7613599420768367, t200 + t201));
+        let t308 = fma(0.000253729233449132, reduced_force_y_4, -0.0029901429709046825 * t307);
+        let t309 = fma(0.12702385080665668, reduced_force_z_6, t308);
         let t310 = fma(0.1257788668457493, reduced_force_y_4, -0.0004398005649018212 * t307);
         let t311 = fma(0.000253729233449132, reduced_force_z_6, t310);
-        let t312 = fma(0.000253729233449132, reduced_force_y_4, -0.0029901429709046825 * t307);
-        let t313 = fma(0.12702385080665668, reduced_force_z_6, t312);
-        let t314 = fma(-t86, t313, fma(t83, t311, fma(t80, t309, reduced_moment_x_6)));
-        let t315 = fma(t87, t313, fma(t84, t311, fma(-t81, t309, reduced_moment_y_6)));
-        let t316 = fma(t88, t313, fma(-t85, t311, fma(t82, t309, reduced_moment_z_6)));
-        let angular_acceleration_x_7 = fma(angular_acceleration_y_2, t315, angular_acceleration_x * t314);
-        let angular_acceleration_x_7 = fma(angular_acceleration_z_3, t316, angular_acceleration_x_7);
-        let angular_acceleration_y_8 = fma(angular_acceleration_y, t315, angular_acceleration_y_2 * t314);
-        let angular_acceleration_y_8 = fma(angular_acceleration_z_2, t316, angular_acceleration_y_8);
-        let angular_acceleration_z_9 = fma(angular_acceleration_z_2, t315, angular_acceleration_z_3 * t314);
-        let angular_acceleration_z_9 = fma(angular_acceleration_z, t316, angular_acceleration_z_9);
-        let acceleration_x_6 = fma(-t93, angular_acceleration_y_8, fma(-t89, angular_acceleration_x_7, t309));
-        let acceleration_x_6 = fma(-t96, angular_acceleration_z_9, acceleration_x_6);
-        let acceleration_y_6 = fma(-t94, angular_acceleration_y_8, fma(-t90, angular_acceleration_x_7, t311));
-        let acceleration_y_6 = fma(-t97, angular_acceleration_z_9, acceleration_y_6);
-        let acceleration_z_6 = fma(-t95, angular_acceleration_y_8, fma(-t92, angular_acceleration_x_7, t313));
-        let acceleration_z_6 = fma(-t98, angular_acceleration_z_9, acceleration_z_6);
+        let t312 = fma(0.0004398005649018212, reduced_force_y_4, -0.13702315917076313 * t307);
+        let t313 = fma(0.0029901429709046825, reduced_force_z_6, t312);
+        let t314 = fma(t88, t309, fma(-t85, t311, fma(t82, t313, reduced_moment_z_6)));
+        let t315 = fma(t87, t309, fma(t84, t311, fma(-t81, t313, reduced_moment_y_6)));
+        let t316 = fma(-t86, t309, fma(t83, t311, fma(t80, t313, reduced_moment_x_6)));
+        let angular_acceleration_x_7 = fma(angular_acceleration_y_2, t315, angular_acceleration_x * t316);
+        let angular_acceleration_x_7 = fma(angular_acceleration_z_3, t314, angular_acceleration_x_7);
+        let angular_acceleration_y_8 = fma(angular_acceleration_y, t315, angular_acceleration_y_2 * t316);
+        let angular_acceleration_y_8 = fma(angular_acceleration_z_2, t314, angular_acceleration_y_8);
+        let angular_acceleration_z_9 = fma(angular_acceleration_z_2, t315, angular_acceleration_z_3 * t316);
+        let angular_acceleration_z_9 = fma(angular_acceleration_z, t314, angular_acceleration_z_9);
+        let acceleration_x_6 = fma(-t95, angular_acceleration_y_8, fma(-t105, angular_acceleration_x_7, t313));
+        let acceleration_x_6 = fma(-t91, angular_acceleration_z_9, acceleration_x_6);
+        let acceleration_y_6 = fma(-t94, angular_acceleration_y_8, fma(-t104, angular_acceleration_x_7, t311));
+        let acceleration_y_6 = fma(-t90, angular_acceleration_z_9, acceleration_y_6);
+        let acceleration_z_6 = fma(-t93, angular_acceleration_y_8, fma(-t103, angular_acceleration_x_7, t309));
+        let acceleration_z_6 = fma(-t89, angular_acceleration_z_9, acceleration_z_6);
         let t317 = fma(-0.013296641892764124, acceleration_y_6, fma(-0.7613599420768367, acceleration_x_6, t205));
         let t318 = fma(coupling_x0, angular_acceleration_x_7, fma(-0.14106512955956807, acceleration_z_6, t317));
         let t319 = fma(coupling_z0, angular_acceleration_z_9, fma(coupling_y0, angular_acceleration_y_8, t318));
         let t320 = fma(0.055993206221893924, acceleration_y_6, fma(0.26899095817779994, acceleration_x_6, t206));
         let t321 = fma(coupling_x1, angular_acceleration_x_7, fma(0.23954110582463117, acceleration_z_6, t320));
         let t322 = fma(coupling_z1, angular_acceleration_z_9, fma(coupling_y1, angular_acceleration_y_8, t321));
+        let reduced_force_x_6 = fma(0.26899095817779994, t211, fma(-0.7613599420768367, t210, t39 - t40));
+        let reduced_force_z_7 = fma(0.23954110582463117, t211, fma(-0.14106512955956807, t210, t42 + t44));
         let reduced_moment_x_7 = rate_xy - fma(-omega_z, inertia_yy, t50 + angular_momentum_z);
-        let reduced_moment_z_7 = rate_yz - fma(omega_x, inertia_yy, -(t45 + angular_momentum_x));
-        let reduced_force_x_6 = fma(0.26899095817779994, t211, fma(-0.7613599420768367, t210, t41 - t44));
-        let t323 = fma(t211, -0.055993206221893924, fma(t210, 0.013296641892764124, t201 + t207));
-        let reduced_force_z_7 = fma(0.23954110582463117, t211, fma(-0.14106512955956807, t210, t36 + t42));
         let reduced_moment_x_7 = fma(coupling_x1, t211, fma(coupling_x0, t210, reduced_moment_x_7));
-        let reduced_moment_y_7 = fma(coupling_y1, t211, fma(coupling_y0, t210, -fma(2.0, t55, t203 - t208)));
+        let reduced_moment_y_7 = fma(coupling_y1, t211, fma(coupling_y0, t210, -fma(2.0, t56, t203 - t208)));
+        let reduced_moment_z_7 = rate_yz - fma(omega_x, inertia_yy, -(t45 + angular_momentum_x));
         let reduced_moment_z_7 = fma(coupling_z1, t211, fma(coupling_z0, t210, reduced_moment_z_7));
-        let t324 = fma(-0.0004398005649018212, t323, 0.13702315917076313 * reduced_force_x_6);
-        let t325 = fma(0.0029901429709046825, reduced_force_z_7, t324);
+        let t323 = fma(t211, -0.055993206221893924, fma(t210, 0.013296641892764124, t201 + t207));
+        let t324 = fma(-0.000253729233449132, t323, 0.0029901429709046825 * reduced_force_x_6);
+        let t325 = fma(0.12702385080665668, reduced_force_z_7, t324);
         let t326 = fma(-0.1257788668457493, t323, 0.0004398005649018212 * reduced_force_x_6);
         let t327 = fma(0.000253729233449132, reduced_force_z_7, t326);
-        let t328 = fma(-0.000253729233449132, t323, 0.0029901429709046825 * reduced_force_x_6);
-        let t329 = fma(0.12702385080665668, reduced_force_z_7, t328);
-        let t330 = fma(-t86, t329, fma(t83, t327, fma(t80, t325, reduced_moment_x_7)));
-        let t331 = fma(t87, t329, fma(t84, t327, fma(-t81, t325, reduced_moment_y_7)));
-        let t332 = fma(t88, t329, fma(-t85, t327, fma(t82, t325, reduced_moment_z_7)));
-        let angular_acceleration_x_8 = fma(angular_acceleration_y_2, t331, angular_acceleration_x * t330);
-        let angular_acceleration_x_8 = fma(angular_acceleration_z_3, t332, angular_acceleration_x_8);
-        let angular_acceleration_y_9 = fma(angular_acceleration_y, t331, angular_acceleration_y_2 * t330);
-        let angular_acceleration_y_9 = fma(angular_acceleration_z_2, t332, angular_acceleration_y_9);
-        let angular_acceleration_z_10 = fma(angular_acceleration_z_2, t331, angular_acceleration_z_3 * t330);
-        let angular_acceleration_z_10 = fma(angular_acceleration_z, t332, angular_acceleration_z_10);
-        let acceleration_x_7 = fma(-t93, angular_acceleration_y_9, fma(-t89, angular_acceleration_x_8, t325));
-        let acceleration_x_7 = fma(-t96, angular_acceleration_z_10, acceleration_x_7);
-        let acceleration_y_7 = fma(-t94, angular_acceleration_y_9, fma(-t90, angular_acceleration_x_8, t327));
-        let acceleration_y_7 = fma(-t97, angular_acceleration_z_10, acceleration_y_7);
-        let acceleration_z_7 = fma(-t95, angular_acceleration_y_9, fma(-t92, angular_acceleration_x_8, t329));
-        let acceleration_z_7 = fma(-t98, angular_acceleration_z_10, acceleration_z_7);
+        let t328 = fma(-0.0004398005649018212, t323, 0.13702315917076313 * reduced_force_x_6);
+        let t329 = fma(0.0029901429709046825, reduced_force_z_7, t328);
+        let t330 = fma(t88, t325, fma(-t85, t327, fma(t82, t329, reduced_moment_z_7)));
+        let t331 = fma(t87, t325, fma(t84, t327, fma(-t81, t329, reduced_moment_y_7)));
+        let t332 = fma(-t86, t325, fma(t83, t327, fma(t80, t329, reduced_moment_x_7)));
+        let angular_acceleration_x_8 = fma(angular_acceleration_y_2, t331, angular_acceleration_x * t332);
+        let angular_acceleration_x_8 = fma(angular_acceleration_z_3, t330, angular_acceleration_x_8);
+        let angular_acceleration_y_9 = fma(angular_acceleration_y, t331, angular_acceleration_y_2 * t332);
+        let angular_acceleration_y_9 = fma(angular_acceleration_z_2, t330, angular_acceleration_y_9);
+        let angular_acceleration_z_10 = fma(angular_acceleration_z_2, t331, angular_acceleration_z_3 * t332);
+        let angular_acceleration_z_10 = fma(angular_acceleration_z, t330, angular_acceleration_z_10);
+        let acceleration_x_7 = fma(-t95, angular_acceleration_y_9, fma(-t105, angular_acceleration_x_8, t329));
+        let acceleration_x_7 = fma(-t91, angular_acceleration_z_10, acceleration_x_7);
+        let acceleration_y_7 = fma(-t94, angular_acceleration_y_9, fma(-t104, angular_acceleration_x_8, t327));
+        let acceleration_y_7 = fma(-t90, angular_acceleration_z_10, acceleration_y_7);
+        let acceleration_z_7 = fma(-t93, angular_acceleration_y_9, fma(-t103, angular_acceleration_x_8, t325));
+        let acceleration_z_7 = fma(-t89, angular_acceleration_z_10, acceleration_z_7);
         let t333 = fma(-0.013296641892764124, acceleration_y_7, fma(-0.7613599420768367, acceleration_x_7, t210));
         let t334 = fma(coupling_x0, angular_acceleration_x_8, fma(-0.14106512955956807, acceleration_z_7, t333));
         let t335 = fma(coupling_z0, angular_acceleration_z_10, fma(coupling_y0, angular_acceleration_y_9, t334));
         let t336 = fma(0.055993206221893924, acceleration_y_7, fma(0.26899095817779994, acceleration_x_7, t211));
         let t337 = fma(coupling_x1, angular_acceleration_x_8, fma(0.23954110582463117, acceleration_z_7, t336));
         let t338 = fma(coupling_z1, angular_acceleration_z_10, fma(coupling_y1, angular_acceleration_y_9, t337));
+        let reduced_force_x_7 = fma(0.26899095817779994, t214, fma(-0.7613599420768367, t213, t34 + t36));
+        let reduced_force_y_5 = fma(0.055993206221893924, t214, fma(-0.013296641892764124, t213, t43 - t44));
         let reduced_moment_x_8 = rate_xz - fma(omega_y, inertia_zz, -(t48 + angular_momentum_y));
-        let reduced_moment_y_8 = rate_yz - fma(-omega_x, inertia_zz, t46 + angular_momentum_x);
-        let reduced_force_x_7 = fma(0.26899095817779994, t214, fma(-0.7613599420768367, t213, t38 + t43));
-        let reduced_force_y_5 = fma(0.055993206221893924, t214, fma(-0.013296641892764124, t213, t37 - t42));
-        let t339 = fma(t214, -0.23954110582463117, fma(t213, 0.14106512955956807, t200 + t207));
         let reduced_moment_x_8 = fma(coupling_x1, t214, fma(coupling_x0, t213, reduced_moment_x_8));
+        let reduced_moment_y_8 = rate_yz - fma(-omega_x, inertia_zz, t46 + angular_momentum_x);
         let reduced_moment_y_8 = fma(coupling_y1, t214, fma(coupling_y0, t213, reduced_moment_y_8));
-        let reduced_moment_z_8 = fma(coupling_z1, t214, fma(coupling_z0, t213, -fma(2.0, t56, t208 - t202)));
-        let t340 = fma(0.0004398005649018212, reduced_force_y_5, 0.13702315917076313 * reduced_force_x_7);
-        let t341 = fma(-0.0029901429709046825, t339, t340);
+        let reduced_moment_z_8 = fma(coupling_z1, t214, fma(coupling_z0, t213, -fma(2.0, t60, t208 - t202)));
+        let t339 = fma(t214, -0.23954110582463117, fma(t213, 0.14106512955956807, t200 + t207));
+        let t340 = fma(0.000253729233449132, reduced_force_y_5, 0.0029901429709046825 * reduced_force_x_7);
+        let t341 = fma(-0.12702385080665668, t339, t340);
         let t342 = fma(0.1257788668457493, reduced_force_y_5, 0.0004398005649018212 * reduced_force_x_7);
         let t343 = fma(-0.000253729233449132, t339, t342);
-        let t344 = fma(0.000253729233449132, reduced_force_y_5, 0.0029901429709046825 * reduced_force_x_7);
-        let t345 = fma(-0.12702385080665668, t339, t344);
-        let t346 = fma(-t86, t345, fma(t83, t343, fma(t80, t341, reduced_moment_x_8)));
-        let t347 = fma(t87, t345, fma(t84, t343, fma(-t81, t341, reduced_moment_y_8)));
-        let t348 = fma(t88, t345, fma(-t85, t343, fma(t82, t341, reduced_moment_z_8)));
-        let angular_acceleration_x_9 = fma(angular_acceleration_y_2, t347, angular_acceleration_x * t346);
-        let angular_acceleration_x_9 = fma(angular_acceleration_z_3, t348, angular_acceleration_x_9);
-        let angular_acceleration_y_10 = fma(angular_acceleration_y, t347, angular_acceleration_y_2 * t346);
-        let angular_acceleration_y_10 = fma(angular_acceleration_z_2, t348, angular_acceleration_y_10);
-        let angular_acceleration_z_11 = fma(angular_acceleration_z_2, t347, angular_acceleration_z_3 * t346);
-        let angular_acceleration_z_11 = fma(angular_acceleration_z, t348, angular_acceleration_z_11);
-        let acceleration_x_8 = fma(-t93, angular_acceleration_y_10, fma(-t89, angular_acceleration_x_9, t341));
-        let acceleration_x_8 = fma(-t96, angular_acceleration_z_11, acceleration_x_8);
-        let acceleration_y_8 = fma(-t94, angular_acceleration_y_10, fma(-t90, angular_acceleration_x_9, t343));
-        let acceleration_y_8 = fma(-t97, angular_acceleration_z_11, acceleration_y_8);
-        let acceleration_z_8 = fma(-t95, angular_acceleration_y_10, fma(-t92, angular_acceleration_x_9, t345));
-        let acceleration_z_8 = fma(-t98, angular_acceleration_z_11, acceleration_z_8);
+        let t344 = fma(0.0004398005649018212, reduced_force_y_5, 0.13702315917076313 * reduced_force_x_7);
+        let t345 = fma(-0.0029901429709046825, t339, t344);
+        let t346 = fma(t88, t341, fma(-t85, t343, fma(t82, t345, reduced_moment_z_8)));
+        let t347 = fma(t87, t341, fma(t84, t343, fma(-t81, t345, reduced_moment_y_8)));
+        let t348 = fma(-t86, t341, fma(t83, t343, fma(t80, t345, reduced_moment_x_8)));
+        let angular_acceleration_x_9 = fma(angular_acceleration_y_2, t347, angular_acceleration_x * t348);
+        let angular_acceleration_x_9 = fma(angular_acceleration_z_3, t346, angular_acceleration_x_9);
+        let angular_acceleration_y_10 = fma(angular_acceleration_y, t347, angular_acceleration_y_2 * t348);
+        let angular_acceleration_y_10 = fma(angular_acceleration_z_2, t346, angular_acceleration_y_10);
+        let angular_acceleration_z_11 = fma(angular_acceleration_z_2, t347, angular_acceleration_z_3 * t348);
+        let angular_acceleration_z_11 = fma(angular_acceleration_z, t346, angular_acceleration_z_11);
+        let acceleration_x_8 = fma(-t95, angular_acceleration_y_10, fma(-t105, angular_acceleration_x_9, t345));
+        let acceleration_x_8 = fma(-t91, angular_acceleration_z_11, acceleration_x_8);
+        let acceleration_y_8 = fma(-t94, angular_acceleration_y_10, fma(-t104, angular_acceleration_x_9, t343));
+        let acceleration_y_8 = fma(-t90, angular_acceleration_z_11, acceleration_y_8);
+        let acceleration_z_8 = fma(-t93, angular_acceleration_y_10, fma(-t103, angular_acceleration_x_9, t341));
+        let acceleration_z_8 = fma(-t89, angular_acceleration_z_11, acceleration_z_8);
         let t349 = fma(-0.013296641892764124, acceleration_y_8, fma(-0.7613599420768367, acceleration_x_8, t213));
         let t350 = fma(coupling_x0, angular_acceleration_x_9, fma(-0.14106512955956807, acceleration_z_8, t349));
         let t351 = fma(coupling_z0, angular_acceleration_z_11, fma(coupling_y0, angular_acceleration_y_10, t350));
         let t352 = fma(0.055993206221893924, acceleration_y_8, fma(0.26899095817779994, acceleration_x_8, t214));
         let t353 = fma(coupling_x1, angular_acceleration_x_9, fma(0.23954110582463117, acceleration_z_8, t352));
         let t354 = fma(coupling_z1, angular_acceleration_z_11, fma(coupling_y1, angular_acceleration_y_10, t353));
-        let t355 = fma(t93, angular_acceleration_y_2, t89 * angular_acceleration_x);
-        let t356 = fma(t96, angular_acceleration_z_3, t355);
-        let t357 = fma(t93, angular_acceleration_y, t89 * angular_acceleration_y_2);
-        let t358 = fma(t96, angular_acceleration_z_2, t357);
-        let t359 = fma(t93, angular_acceleration_z_2, t89 * angular_acceleration_z_3);
-        let t360 = fma(t96, angular_acceleration_z, t359);
-        let acceleration_x_9 = fma(t96, t360, fma(t93, t358, fma(t89, t356, 0.13702315917076313)));
-        let acceleration_y_9 = fma(t97, t360, fma(t94, t358, fma(t90, t356, 0.0004398005649018212)));
-        let acceleration_z_9 = fma(t98, t360, fma(t95, t358, fma(t92, t356, 0.0029901429709046825)));
+        let t355 = fma(t95, angular_acceleration_z_2, t105 * angular_acceleration_z_3);
+        let t356 = fma(t91, angular_acceleration_z, t355);
+        let t357 = fma(t95, angular_acceleration_y, t105 * angular_acceleration_y_2);
+        let t358 = fma(t91, angular_acceleration_z_2, t357);
+        let t359 = fma(t95, angular_acceleration_y_2, t105 * angular_acceleration_x);
+        let t360 = fma(t91, angular_acceleration_z_3, t359);
+        let acceleration_x_9 = fma(t91, t356, fma(t95, t358, fma(t105, t360, 0.13702315917076313)));
+        let acceleration_y_9 = fma(t90, t356, fma(t94, t358, fma(t104, t360, 0.0004398005649018212)));
+        let acceleration_z_9 = fma(t89, t356, fma(t93, t358, fma(t103, t360, 0.0029901429709046825)));
         let t361 = fma(-0.013296641892764124, acceleration_y_9, -0.7613599420768367 * acceleration_x_9);
-        let t362 = fma(coupling_x0, t356, -fma(-0.14106512955956807, acceleration_z_9, t361));
+        let t362 = fma(coupling_x0, t360, -fma(-0.14106512955956807, acceleration_z_9, t361));
         let t363 = fma(0.055993206221893924, acceleration_y_9, 0.26899095817779994 * acceleration_x_9);
-        let t364 = fma(coupling_x1, t356, -fma(0.23954110582463117, acceleration_z_9, t363));
-        let t365 = fma(t94, angular_acceleration_y_2, t90 * angular_acceleration_x);
-        let t366 = fma(t97, angular_acceleration_z_3, t365);
-        let t367 = fma(t94, angular_acceleration_y, t90 * angular_acceleration_y_2);
-        let t368 = fma(t97, angular_acceleration_z_2, t367);
-        let t369 = fma(t94, angular_acceleration_z_2, t90 * angular_acceleration_z_3);
-        let t370 = fma(t97, angular_acceleration_z, t369);
-        let acceleration_x_10 = fma(t96, t370, fma(t93, t368, fma(t89, t366, 0.0004398005649018212)));
-        let acceleration_y_10 = fma(t97, t370, fma(t94, t368, fma(t90, t366, 0.1257788668457493)));
-        let acceleration_z_10 = fma(t98, t370, fma(t95, t368, fma(t92, t366, 0.000253729233449132)));
+        let t364 = fma(coupling_x1, t360, -fma(0.23954110582463117, acceleration_z_9, t363));
+        let t365 = fma(t94, angular_acceleration_z_2, t104 * angular_acceleration_z_3);
+        let t366 = fma(t90, angular_acceleration_z, t365);
+        let t367 = fma(t94, angular_acceleration_y, t104 * angular_acceleration_y_2);
+        let t368 = fma(t90, angular_acceleration_z_2, t367);
+        let t369 = fma(t94, angular_acceleration_y_2, t104 * angular_acceleration_x);
+        let t370 = fma(t90, angular_acceleration_z_3, t369);
+        let acceleration_x_10 = fma(t91, t366, fma(t95, t368, fma(t105, t370, 0.0004398005649018212)));
+        let acceleration_y_10 = fma(t90, t366, fma(t94, t368, fma(t104, t370, 0.1257788668457493)));
+        let acceleration_z_10 = fma(t89, t366, fma(t93, t368, fma(t103, t370, 0.000253729233449132)));
         let t371 = fma(-0.013296641892764124, acceleration_y_10, -0.7613599420768367 * acceleration_x_10);
-        let t372 = fma(coupling_x0, t366, -fma(-0.14106512955956807, acceleration_z_10, t371));
+        let t372 = fma(coupling_x0, t370, -fma(-0.14106512955956807, acceleration_z_10, t371));
         let t373 = fma(0.055993206221893924, acceleration_y_10, 0.26899095817779994 * acceleration_x_10);
-        let t374 = fma(coupling_x1, t366, -fma(0.23954110582463117, acceleration_z_10, t373));
-        let t375 = fma(t95, angular_acceleration_y_2, t92 * angular_acceleration_x);
-        let t376 = fma(t98, angular_acceleration_z_3, t375);
-        let t377 = fma(t95, angular_acceleration_y, t92 * angular_acceleration_y_2);
-        let t378 = fma(t98, angular_acceleration_z_2, t377);
-        let t379 = fma(t95, angular_acceleration_z_2, t92 * angular_acceleration_z_3);
-        let t380 = fma(t98, angular_acceleration_z, t379);
-        let acceleration_x_11 = fma(t96, t380, fma(t93, t378, fma(t89, t376, 0.0029901429709046825)));
-        let acceleration_y_11 = fma(t97, t380, fma(t94, t378, fma(t90, t376, 0.000253729233449132)));
-        let acceleration_z_11 = fma(t98, t380, fma(t95, t378, fma(t92, t376, 0.12702385080665668)));
+        let t374 = fma(coupling_x1, t370, -fma(0.23954110582463117, acceleration_z_10, t373));
+        let t375 = fma(t93, angular_acceleration_z_2, t103 * angular_acceleration_z_3);
+        let t376 = fma(t89, angular_acceleration_z, t375);
+        let t377 = fma(t93, angular_acceleration_y, t103 * angular_acceleration_y_2);
+        let t378 = fma(t89, angular_acceleration_z_2, t377);
+        let t379 = fma(t93, angular_acceleration_y_2, t103 * angular_acceleration_x);
+        let t380 = fma(t89, angular_acceleration_z_3, t379);
+        let acceleration_x_11 = fma(t91, t376, fma(t95, t378, fma(t105, t380, 0.0029901429709046825)));
+        let acceleration_y_11 = fma(t90, t376, fma(t94, t378, fma(t104, t380, 0.000253729233449132)));
+        let acceleration_z_11 = fma(t89, t376, fma(t93, t378, fma(t103, t380, 0.12702385080665668)));
         let t381 = fma(-0.013296641892764124, acceleration_y_11, -0.7613599420768367 * acceleration_x_11);
-        let t382 = fma(coupling_x0, t376, -fma(-0.14106512955956807, acceleration_z_11, t381));
+        let t382 = fma(coupling_x0, t380, -fma(-0.14106512955956807, acceleration_z_11, t381));
         let t383 = fma(0.055993206221893924, acceleration_y_11, 0.26899095817779994 * acceleration_x_11);
-        let t384 = fma(coupling_x1, t376, -fma(0.23954110582463117, acceleration_z_11, t383));
-        let t385 = fma(0.14106512955956807, t376, fma(0.013296641892764124, t366, 0.7613599420768367 * t356));
+        let t384 = fma(coupling_x1, t380, -fma(0.23954110582463117, acceleration_z_11, t383));
+        let t385 = fma(0.14106512955956807, t380, fma(0.013296641892764124, t370, 0.7613599420768367 * t360));
         let t386 = fma(coupling_y0, angular_acceleration_y_2, fma(coupling_x0, angular_acceleration_x, t385));
-        let t387 = fma(-0.055993206221893924, t366, -0.26899095817779994 * t356);
-        let t388 = fma(coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, t376, t387));
+        let t387 = fma(-0.055993206221893924, t370, -0.26899095817779994 * t360);
+        let t388 = fma(coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, t380, t387));
         let t389 = fma(coupling_z1, angular_acceleration_z_3, fma(coupling_y1, angular_acceleration_y_2, t388));
         let t390 = fma(0.14106512955956807, t378, fma(0.013296641892764124, t368, 0.7613599420768367 * t358));
         let t391 = fma(coupling_y0, angular_acceleration_y, fma(coupling_x0, angular_acceleration_y_2, t390));
         let t392 = fma(-0.055993206221893924, t368, -0.26899095817779994 * t358);
         let t393 = fma(coupling_x1, angular_acceleration_y_2, fma(-0.23954110582463117, t378, t392));
         let t394 = fma(coupling_z1, angular_acceleration_z_2, fma(coupling_y1, angular_acceleration_y, t393));
-        let t395 = fma(0.14106512955956807, t380, fma(0.013296641892764124, t370, 0.7613599420768367 * t360));
+        let t395 = fma(0.14106512955956807, t376, fma(0.013296641892764124, t366, 0.7613599420768367 * t356));
         let t396 = fma(coupling_y0, angular_acceleration_z_2, fma(coupling_x0, angular_acceleration_z_3, t395));
-        let t397 = fma(-0.055993206221893924, t370, -0.26899095817779994 * t360);
-        let t398 = fma(coupling_x1, angular_acceleration_z_3, fma(-0.23954110582463117, t380, t397));
+        let t397 = fma(-0.055993206221893924, t366, -0.26899095817779994 * t356);
+        let t398 = fma(coupling_x1, angular_acceleration_z_3, fma(-0.23954110582463117, t376, t397));
         let t399 = fma(coupling_z1, angular_acceleration_z, fma(coupling_y1, angular_acceleration_z_2, t398));
-        let t400 = fma(t83, -0.002043075429934153, fma(t80, -0.10475159730564543, coupling_x0));
-        let t401 = fma(t86, 0.020198584797080615, t400);
+        let t400 = fma(t85, 0.002043075429934153, fma(t82, -0.10475159730564543, coupling_z0));
+        let t401 = fma(t88, -0.020198584797080615, t400);
         let t402 = fma(t84, -0.002043075429934153, fma(t81, 0.10475159730564543, coupling_y0));
         let t403 = fma(t87, -0.020198584797080615, t402);
-        let t404 = fma(t85, 0.002043075429934153, fma(t82, -0.10475159730564543, coupling_z0));
-        let t405 = fma(t88, -0.020198584797080615, t404);
-        let t406 = fma(angular_acceleration_y_2, t403, angular_acceleration_x * t401);
-        let t407 = fma(angular_acceleration_z_3, t405, t406);
-        let t408 = fma(angular_acceleration_y, t403, angular_acceleration_y_2 * t401);
-        let t409 = fma(angular_acceleration_z_2, t405, t408);
-        let t410 = fma(angular_acceleration_z_2, t403, angular_acceleration_z_3 * t401);
-        let t411 = fma(angular_acceleration_z, t405, t410);
-        let acceleration_x_12 = fma(t96, t411, fma(t93, t409, fma(t89, t407, 0.10475159730564543)));
-        let acceleration_y_12 = fma(t97, t411, fma(t94, t409, fma(t90, t407, 0.002043075429934153)));
-        let acceleration_z_12 = fma(t98, t411, fma(t95, t409, fma(t92, t407, 0.020198584797080615)));
+        let t404 = fma(t83, -0.002043075429934153, fma(t80, -0.10475159730564543, coupling_x0));
+        let t405 = fma(t86, 0.020198584797080615, t404);
+        let t406 = fma(angular_acceleration_z_2, t403, angular_acceleration_z_3 * t405);
+        let t407 = fma(angular_acceleration_z, t401, t406);
+        let t408 = fma(angular_acceleration_y, t403, angular_acceleration_y_2 * t405);
+        let t409 = fma(angular_acceleration_z_2, t401, t408);
+        let t410 = fma(angular_acceleration_y_2, t403, angular_acceleration_x * t405);
+        let t411 = fma(angular_acceleration_z_3, t401, t410);
+        let acceleration_x_12 = fma(t91, t407, fma(t95, t409, fma(t105, t411, 0.10475159730564543)));
+        let acceleration_y_12 = fma(t90, t407, fma(t94, t409, fma(t104, t411, 0.002043075429934153)));
+        let acceleration_z_12 = fma(t89, t407, fma(t93, t409, fma(t103, t411, 0.020198584797080615)));
         let t412 = fma(0.013296641892764124, acceleration_y_12, fma(0.7613599420768367, acceleration_x_12, 1.0));
-        let t413 = fma(coupling_x0, t407, fma(0.14106512955956807, acceleration_z_12, t412));
+        let t413 = fma(coupling_x0, t411, fma(0.14106512955956807, acceleration_z_12, t412));
         let t414 = fma(0.055993206221893924, acceleration_y_12, 0.26899095817779994 * acceleration_x_12);
-        let t415 = fma(coupling_x1, t407, -fma(0.23954110582463117, acceleration_z_12, t414));
-        let t416 = fma(t83, 0.007221842986170696, fma(t80, 0.03759887887544408, coupling_x1));
-        let t417 = fma(t86, -0.03124596222445481, t416);
+        let t415 = fma(coupling_x1, t411, -fma(0.23954110582463117, acceleration_z_12, t414));
+        let t416 = fma(t85, -0.007221842986170696, fma(t82, 0.03759887887544408, coupling_z1));
+        let t417 = fma(t88, 0.03124596222445481, t416);
         let t418 = fma(t84, 0.007221842986170696, fma(t81, -0.03759887887544408, coupling_y1));
         let t419 = fma(t87, 0.03124596222445481, t418);
-        let t420 = fma(t85, -0.007221842986170696, fma(t82, 0.03759887887544408, coupling_z1));
-        let t421 = fma(t88, 0.03124596222445481, t420);
-        let t422 = fma(angular_acceleration_y_2, t419, angular_acceleration_x * t417);
-        let t423 = fma(angular_acceleration_z_3, t421, t422);
-        let t424 = fma(angular_acceleration_y, t419, angular_acceleration_y_2 * t417);
-        let t425 = fma(angular_acceleration_z_2, t421, t424);
-        let t426 = fma(angular_acceleration_z_2, t419, angular_acceleration_z_3 * t417);
-        let t427 = fma(angular_acceleration_z, t421, t426);
-        let acceleration_x_13 = fma(t96, t427, fma(t93, t425, fma(t89, t423, -0.03759887887544408)));
-        let acceleration_y_13 = fma(t97, t427, fma(t94, t425, fma(t90, t423, -0.007221842986170696)));
-        let acceleration_z_13 = fma(t98, t427, fma(t95, t425, fma(t92, t423, -0.03124596222445481)));
+        let t420 = fma(t83, 0.007221842986170696, fma(t80, 0.03759887887544408, coupling_x1));
+        let t421 = fma(t86, -0.03124596222445481, t420);
+        let t422 = fma(angular_acceleration_z_2, t419, angular_acceleration_z_3 * t421);
+        let t423 = fma(angular_acceleration_z, t417, t422);
+        let t424 = fma(angular_acceleration_y, t419, angular_acceleration_y_2 * t421);
+        let t425 = fma(angular_acceleration_z_2, t417, t424);
+        let t426 = fma(angular_acceleration_y_2, t419, angular_acceleration_x * t421);
+        let t427 = fma(angular_acceleration_z_3, t417, t426);
+        let acceleration_x_13 = fma(t91, t423, fma(t95, t425, fma(t105, t427, -0.03759887887544408)));
+        let acceleration_y_13 = fma(t90, t423, fma(t94, t425, fma(t104, t427, -0.007221842986170696)));
+        let acceleration_z_13 = fma(t89, t423, fma(t93, t425, fma(t103, t427, -0.03124596222445481)));
         let t428 = fma(-0.013296641892764124, acceleration_y_13, -0.7613599420768367 * acceleration_x_13);
-        let t429 = fma(coupling_x0, t423, -fma(-0.14106512955956807, acceleration_z_13, t428));
+        let t429 = fma(coupling_x0, t427, -fma(-0.14106512955956807, acceleration_z_13, t428));
         let t430 = fma(-0.055993206221893924, acceleration_y_13, fma(-0.26899095817779994, acceleration_x_13, 1.0));
-        let t431 = fma(coupling_x1, t423, fma(-0.23954110582463117, acceleration_z_13, t430));
+        let t431 = fma(coupling_x1, t427, fma(-0.23954110582463117, acceleration_z_13, t430));
 
         (
             [
@@ -1735,22 +1735,22 @@ const _: () = {
             ],
             [
                 [
-                    acceleration_x_9, acceleration_y_9, acceleration_z_9, -t356, -t358, -t360,
-                    fma(coupling_z0, t360, fma(coupling_y0, t358, t362)),
-                    fma(coupling_z1, t360, fma(coupling_y1, t358, t364)),
+                    acceleration_x_9, acceleration_y_9, acceleration_z_9, -t360, -t358, -t356,
+                    fma(coupling_z0, t356, fma(coupling_y0, t358, t362)),
+                    fma(coupling_z1, t356, fma(coupling_y1, t358, t364)),
                 ],
                 [
-                    acceleration_x_10, acceleration_y_10, acceleration_z_10, -t366, -t368, -t370,
-                    fma(coupling_z0, t370, fma(coupling_y0, t368, t372)),
-                    fma(coupling_z1, t370, fma(coupling_y1, t368, t374)),
+                    acceleration_x_10, acceleration_y_10, acceleration_z_10, -t370, -t368, -t366,
+                    fma(coupling_z0, t366, fma(coupling_y0, t368, t372)),
+                    fma(coupling_z1, t366, fma(coupling_y1, t368, t374)),
                 ],
                 [
-                    acceleration_x_11, acceleration_y_11, acceleration_z_11, -t376, -t378, -t380,
-                    fma(coupling_z0, t380, fma(coupling_y0, t378, t382)),
-                    fma(coupling_z1, t380, fma(coupling_y1, t378, t384)),
+                    acceleration_x_11, acceleration_y_11, acceleration_z_11, -t380, -t378, -t376,
+                    fma(coupling_z0, t376, fma(coupling_y0, t378, t382)),
+                    fma(coupling_z1, t376, fma(coupling_y1, t378, t384)),
                 ],
                 [
-                    -t356, -t366, -t376, angular_acceleration_x, angular_acceleration_y_2,
+                    -t360, -t370, -t380, angular_acceleration_x, angular_acceleration_y_2,
                     angular_acceleration_z_3, -fma(coupling_z0, angular_acceleration_z_3, t386), -t389,
                 ],
                 [
@@ -1758,18 +1758,18 @@ const _: () = {
                     angular_acceleration_z_2, -fma(coupling_z0, angular_acceleration_z_2, t391), -t394,
                 ],
                 [
-                    -t360, -t370, -t380, angular_acceleration_z_3, angular_acceleration_z_2,
+                    -t356, -t366, -t376, angular_acceleration_z_3, angular_acceleration_z_2,
                     angular_acceleration_z, -fma(coupling_z0, angular_acceleration_z, t396), -t399,
                 ],
                 [
-                    acceleration_x_12, acceleration_y_12, acceleration_z_12, -t407, -t409, -t411,
-                    fma(coupling_z0, t411, fma(coupling_y0, t409, t413)),
-                    fma(coupling_z1, t411, fma(coupling_y1, t409, t415)),
+                    acceleration_x_12, acceleration_y_12, acceleration_z_12, -t411, -t409, -t407,
+                    fma(coupling_z0, t407, fma(coupling_y0, t409, t413)),
+                    fma(coupling_z1, t407, fma(coupling_y1, t409, t415)),
                 ],
                 [
-                    acceleration_x_13, acceleration_y_13, acceleration_z_13, -t423, -t425, -t427,
-                    fma(coupling_z0, t427, fma(coupling_y0, t425, t429)),
-                    fma(coupling_z1, t427, fma(coupling_y1, t425, t431)),
+                    acceleration_x_13, acceleration_y_13, acceleration_z_13, -t427, -t425, -t423,
+                    fma(coupling_z0, t423, fma(coupling_y0, t425, t429)),
+                    fma(coupling_z1, t423, fma(coupling_y1, t425, t431)),
                 ],
             ],
         )
@@ -1840,24 +1840,24 @@ const _: () = {
         let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
 
         // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
-        let t21 = -1.1922303307198583 + moment_trace0;
-        let t22 = 0.23717081301087906 + moment_trace1;
-        let change_trace = fma(q1, t22, q0 * t21);
-        let t23 = -0.09191914725543346 + moment_yy0;
-        let t24 = 0.22053904757743034 + moment_yy1;
-        let change_yy = fma(q1, t24, q0 * t23);
-        let t25 = -0.12615932134690072 + moment_zz0;
-        let t26 = 0.08350957709807609 + moment_zz1;
-        let change_zz = fma(q1, t26, q0 * t25);
-        let t27 = -0.16404494841334252 + moment_xy0;
-        let t28 = -0.19465513087508376 + moment_xy1;
-        let change_xy = fma(q1, t28, q0 * t27);
-        let t29 = 0.42265980028762185 + moment_xz0;
-        let t30 = -0.030186847547927415 + moment_xz1;
-        let change_xz = fma(q1, t30, q0 * t29);
-        let t31 = 0.16695215048514464 + moment_yz0;
-        let t32 = 0.10807977976839368 + moment_yz1;
-        let change_yz = fma(q1, t32, q0 * t31);
+        let t21 = 0.23717081301087906 + moment_trace1;
+        let t22 = -1.1922303307198583 + moment_trace0;
+        let change_trace = fma(q1, t21, q0 * t22);
+        let t23 = 0.22053904757743034 + moment_yy1;
+        let t24 = -0.09191914725543346 + moment_yy0;
+        let change_yy = fma(q1, t23, q0 * t24);
+        let t25 = 0.08350957709807609 + moment_zz1;
+        let t26 = -0.12615932134690072 + moment_zz0;
+        let change_zz = fma(q1, t25, q0 * t26);
+        let t27 = -0.19465513087508376 + moment_xy1;
+        let t28 = -0.16404494841334252 + moment_xy0;
+        let change_xy = fma(q1, t27, q0 * t28);
+        let t29 = -0.030186847547927415 + moment_xz1;
+        let t30 = 0.42265980028762185 + moment_xz0;
+        let change_xz = fma(q1, t29, q0 * t30);
+        let t31 = 0.10807977976839368 + moment_yz1;
+        let t32 = 0.16695215048514464 + moment_yz0;
+        let change_yz = fma(q1, t31, q0 * t32);
         let inertia_xx = 1.395868238733327 + (change_yy + change_zz);
         let inertia_yy = 6.516527125835783 + (change_trace - change_yy);
         let inertia_zz = 7.046602419425604 + (change_trace - change_zz);
@@ -1866,18 +1866,18 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (24 operations: 9 multiply-add, 12 multiply, 3 add)
-        let t33 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
-        let t34 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
-        let t35 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
-        let t36 = omega_y * first_moment_z;
-        let t37 = omega_z * first_moment_y;
-        let t38 = omega_z * first_moment_x;
-        let t39 = omega_x * first_moment_z;
-        let t40 = omega_x * first_moment_y;
-        let t41 = omega_y * first_moment_x;
-        let t42 = fma(t33, 2.0, t36 - t37);
-        let t43 = fma(t34, 2.0, t38 - t39);
-        let t44 = fma(t35, 2.0, t40 - t41);
+        let t33 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t34 = omega_z * first_moment_x;
+        let t35 = omega_x * first_moment_z;
+        let t36 = fma(t33, 2.0, t34 - t35);
+        let t37 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
+        let t38 = omega_x * first_moment_y;
+        let t39 = omega_y * first_moment_x;
+        let t40 = fma(t37, 2.0, t38 - t39);
+        let t41 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
+        let t42 = omega_y * first_moment_z;
+        let t43 = omega_z * first_moment_y;
+        let t44 = fma(t41, 2.0, t42 - t43);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (57 operations: 21 multiply-add, 24 multiply, 12 add)
         let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
@@ -1891,187 +1891,187 @@ const _: () = {
         let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
         let t45 = omega_y * inertia_xy;
         let t46 = omega_z * inertia_xz;
+        let angular_momentum_x = modal_spin_x + (fma(omega_x, inertia_xx, t45) + t46);
         let t47 = omega_x * inertia_xy;
         let t48 = omega_z * inertia_yz;
+        let angular_momentum_y = modal_spin_y + (fma(omega_y, inertia_yy, t47) + t48);
         let t49 = omega_x * inertia_xz;
         let t50 = omega_y * inertia_yz;
-        let angular_momentum_x = modal_spin_x + (fma(omega_x, inertia_xx, t45) + t46);
-        let angular_momentum_y = modal_spin_y + (fma(omega_y, inertia_yy, t47) + t48);
         let angular_momentum_z = modal_spin_z + fma(omega_z, inertia_zz, t49 + t50);
         let t51 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t52 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t53 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t54 = rate_yy + rate_zz;
-        let t55 = rate_trace - rate_yy;
-        let t56 = rate_trace - rate_zz;
-        let t57 = omega_x * 2.0;
-        let t58 = omega_y * 2.0;
-        let t59 = omega_z * 2.0;
-        let t60 = t51 + fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, t54 * t57));
-        let t61 = t52 + fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, t55 * t58));
-        let t62 = t53 + fma(t56, t59, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t52 = rate_yy + rate_zz;
+        let t53 = omega_x * 2.0;
+        let t54 = t51 + fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, t52 * t53));
+        let t55 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t56 = rate_trace - rate_yy;
+        let t57 = omega_y * 2.0;
+        let t58 = t55 + fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, t56 * t57));
+        let t59 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t60 = rate_trace - rate_zz;
+        let t61 = omega_z * 2.0;
+        let t62 = t59 + fma(t60, t61, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
-        let t63 = omega_x * omega_x;
-        let t64 = omega_y * omega_y;
-        let t65 = omega_z * omega_z;
-        let t66 = t64 + t65;
-        let t67 = t64 - t63;
-        let t68 = t65 - t63;
-        let t69 = omega_x * omega_y;
-        let t70 = omega_x * omega_z;
-        let t71 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t68, fma(-moment_trace0, t66, moment_yy0 * t67));
-        let modal_quadratic0 = fma(moment_yz0, t71, fma(moment_xz0, t70, fma(moment_xy0, t69, modal_quadratic0)));
         let whirl_x0 = 0.01153987579044198 * q_dot1;
         let whirl_y0 = 0.19242619512316964 * q_dot1;
         let whirl_z0 = -0.11303908576704362 * q_dot1;
-        let modal_quadratic0 = fma(t59, whirl_z0, fma(t58, whirl_y0, fma(t57, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t68, fma(-moment_trace1, t66, moment_yy1 * t67));
-        let modal_quadratic1 = fma(moment_yz1, t71, fma(moment_xz1, t70, fma(moment_xy1, t69, modal_quadratic1)));
+        let t63 = omega_y * omega_z;
+        let t64 = omega_x * omega_z;
+        let t65 = omega_x * omega_y;
+        let t66 = omega_z * omega_z;
+        let t67 = omega_x * omega_x;
+        let t68 = t66 - t67;
+        let t69 = omega_y * omega_y;
+        let t70 = t69 + t66;
+        let t71 = t69 - t67;
+        let modal_quadratic0 = fma(moment_zz0, t68, fma(-moment_trace0, t70, moment_yy0 * t71));
+        let modal_quadratic0 = fma(moment_yz0, t63, fma(moment_xz0, t64, fma(moment_xy0, t65, modal_quadratic0)));
+        let modal_quadratic0 = fma(t61, whirl_z0, fma(t57, whirl_y0, fma(t53, whirl_x0, modal_quadratic0)));
         let whirl_x1 = -0.01153987579044198 * q_dot0;
         let whirl_y1 = -0.19242619512316964 * q_dot0;
         let whirl_z1 = 0.11303908576704362 * q_dot0;
-        let modal_quadratic1 = fma(t59, whirl_z1, fma(t58, whirl_y1, fma(t57, whirl_x1, modal_quadratic1)));
+        let modal_quadratic1 = fma(moment_zz1, t68, fma(-moment_trace1, t70, moment_yy1 * t71));
+        let modal_quadratic1 = fma(moment_yz1, t63, fma(moment_xz1, t64, fma(moment_xy1, t65, modal_quadratic1)));
+        let modal_quadratic1 = fma(t61, whirl_z1, fma(t57, whirl_y1, fma(t53, whirl_x1, modal_quadratic1)));
 
         // Residual M w + Q + K q + D q̇ - force (66 operations: 52 multiply-add, 2 multiply, 12 add)
-        let t72 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
-        let t73 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
-        let t74 = fma(7.95389213843747, acceleration_x, fma(-omega_z, t43, omega_y * t44) - force_x);
-        let t75 = fma(-first_moment_y, angular_acceleration_z, fma(first_moment_z, angular_acceleration_y, t74));
-        let t76 = fma(0.26899095817779994, modal_acceleration1, fma(-0.7613599420768367, modal_acceleration0, t75));
-        let t77 = fma(7.95389213843747, acceleration_y, fma(-omega_x, t44, omega_z * t42) - force_y);
-        let t78 = fma(first_moment_x, angular_acceleration_z, fma(-first_moment_z, angular_acceleration_x, t77));
-        let t79 = fma(0.055993206221893924, modal_acceleration1, fma(-0.013296641892764124, modal_acceleration0, t78));
-        let t80 = fma(7.95389213843747, acceleration_z, fma(-omega_y, t42, omega_x * t43) - force_z);
-        let t81 = fma(-first_moment_x, angular_acceleration_y, fma(first_moment_y, angular_acceleration_x, t80));
-        let t82 = fma(0.23954110582463117, modal_acceleration1, fma(-0.14106512955956807, modal_acceleration0, t81));
-        let t83 = fma(first_moment_y, acceleration_z, fma(-first_moment_z, acceleration_y, t60 - moment_x));
-        let t84 = fma(inertia_xy, angular_acceleration_y, fma(inertia_xx, angular_acceleration_x, t83));
-        let t85 = fma(coupling_x0, modal_acceleration0, fma(inertia_xz, angular_acceleration_z, t84));
-        let t86 = fma(-first_moment_x, acceleration_z, fma(first_moment_z, acceleration_x, t61 - moment_y));
-        let t87 = fma(inertia_yy, angular_acceleration_y, fma(inertia_xy, angular_acceleration_x, t86));
-        let t88 = fma(coupling_y0, modal_acceleration0, fma(inertia_yz, angular_acceleration_z, t87));
-        let t89 = fma(first_moment_x, acceleration_y, fma(-first_moment_y, acceleration_x, t62 - moment_z));
-        let t90 = fma(inertia_yz, angular_acceleration_y, fma(inertia_xz, angular_acceleration_x, t89));
-        let t91 = fma(coupling_z0, modal_acceleration0, fma(inertia_zz, angular_acceleration_z, t90));
-        let t92 = fma(-0.7613599420768367, acceleration_x, t72 + (modal_quadratic0 - modal_force0));
-        let t93 = fma(-0.14106512955956807, acceleration_z, fma(-0.013296641892764124, acceleration_y, t92));
-        let t94 = fma(coupling_y0, angular_acceleration_y, fma(coupling_x0, angular_acceleration_x, t93));
-        let t95 = modal_acceleration0 + fma(coupling_z0, angular_acceleration_z, t94);
-        let t96 = fma(0.26899095817779994, acceleration_x, t73 + (modal_quadratic1 - modal_force1));
+        let t72 = fma(7.95389213843747, acceleration_x, fma(-omega_z, t36, omega_y * t40) - force_x);
+        let t73 = fma(-first_moment_y, angular_acceleration_z, fma(first_moment_z, angular_acceleration_y, t72));
+        let t74 = fma(0.26899095817779994, modal_acceleration1, fma(-0.7613599420768367, modal_acceleration0, t73));
+        let t75 = fma(7.95389213843747, acceleration_y, fma(-omega_x, t40, omega_z * t44) - force_y);
+        let t76 = fma(first_moment_x, angular_acceleration_z, fma(-first_moment_z, angular_acceleration_x, t75));
+        let t77 = fma(0.055993206221893924, modal_acceleration1, fma(-0.013296641892764124, modal_acceleration0, t76));
+        let t78 = fma(7.95389213843747, acceleration_z, fma(-omega_y, t44, omega_x * t36) - force_z);
+        let t79 = fma(-first_moment_x, angular_acceleration_y, fma(first_moment_y, angular_acceleration_x, t78));
+        let t80 = fma(0.23954110582463117, modal_acceleration1, fma(-0.14106512955956807, modal_acceleration0, t79));
+        let t81 = fma(first_moment_y, acceleration_z, fma(-first_moment_z, acceleration_y, t54 - moment_x));
+        let t82 = fma(inertia_xy, angular_acceleration_y, fma(inertia_xx, angular_acceleration_x, t81));
+        let t83 = fma(coupling_x0, modal_acceleration0, fma(inertia_xz, angular_acceleration_z, t82));
+        let t84 = fma(-first_moment_x, acceleration_z, fma(first_moment_z, acceleration_x, t58 - moment_y));
+        let t85 = fma(inertia_yy, angular_acceleration_y, fma(inertia_xy, angular_acceleration_x, t84));
+        let t86 = fma(coupling_y0, modal_acceleration0, fma(inertia_yz, angular_acceleration_z, t85));
+        let t87 = fma(first_moment_x, acceleration_y, fma(-first_moment_y, acceleration_x, t62 - moment_z));
+        let t88 = fma(inertia_yz, angular_acceleration_y, fma(inertia_xz, angular_acceleration_x, t87));
+        let t89 = fma(coupling_z0, modal_acceleration0, fma(inertia_zz, angular_acceleration_z, t88));
+        let t90 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
+        let t91 = fma(-0.7613599420768367, acceleration_x, t90 + (modal_quadratic0 - modal_force0));
+        let t92 = fma(-0.14106512955956807, acceleration_z, fma(-0.013296641892764124, acceleration_y, t91));
+        let t93 = fma(coupling_y0, angular_acceleration_y, fma(coupling_x0, angular_acceleration_x, t92));
+        let t94 = modal_acceleration0 + fma(coupling_z0, angular_acceleration_z, t93);
+        let t95 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
+        let t96 = fma(0.26899095817779994, acceleration_x, t95 + (modal_quadratic1 - modal_force1));
         let t97 = fma(0.23954110582463117, acceleration_z, fma(0.055993206221893924, acceleration_y, t96));
         let t98 = fma(coupling_y1, angular_acceleration_y, fma(coupling_x1, angular_acceleration_x, t97));
         let t99 = modal_acceleration1 + fma(coupling_z1, angular_acceleration_z, t98);
 
         // Derivatives of the residual (346 operations: 169 multiply-add, 79 multiply, 98 add)
-        let t100 = q0 + t21;
-        let t101 = t2 + (t1 + t23);
-        let t102 = t4 + (t3 + t25);
-        let t103 = t101 + t102;
-        let t104 = t100 - t101;
-        let t105 = t100 - t102;
-        let t106 = -0.5 * (t10 + (t9 + t31));
-        let t107 = -0.5 * (t8 + (t7 + t29));
-        let t108 = -0.5 * (t6 + (t5 + t27));
-        let t109 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
-        let t110 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
-        let t111 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
-        let t112 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
-        let t113 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
-        let t114 = fma(0.08566760407982914, q_dot1, 0.12985232981165795 * q_dot0);
-        let t115 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
-        let t116 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
-        let t117 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t107, fma(omega_y, t108, omega_x * t103)));
-        let t118 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t106, fma(omega_y, t104, omega_x * t108)));
-        let t119 = fma(0.11303908576704362, q_dot1, fma(omega_z, t105, fma(omega_y, t106, omega_x * t107)));
-        let t120 = fma(-omega_z, t115, fma(-omega_y, t114, t57 * (t112 + t113)));
-        let t121 = fma(-omega_z, t116, fma(-omega_x, t114, t58 * (q_dot0 - t112)));
-        let t122 = fma(-omega_y, t117, omega_x * t118) + fma(t59, q_dot0 - t113, -fma(omega_y, t116, omega_x * t115));
-        let t123 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t67, -t66));
-        let t124 = fma(-0.33402903106409804, t70, fma(0.12985232981165795, t69, t123));
-        let t125 = fma(0.08566760407982914, t69, fma(-0.04431370462910027, t68, 0.00639232183790743 * t67));
-        let t126 = fma(-0.14347674245138292, t71, fma(0.06527925764351436, t70, t125));
-        let t127 = fma(-0.14106512955956807, angular_acceleration_y, fma(-omega_z, t110, omega_y * t111));
-        let t128 = fma(0.14106512955956807, angular_acceleration_x, fma(-omega_x, t111, omega_z * t109));
-        let t129 = fma(-0.013296641892764124, angular_acceleration_x, fma(-omega_y, t109, omega_x * t110));
-        let t130 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t118, omega_y * t119) + t120);
-        let t131 = fma(angular_acceleration_x, t103, fma(-0.013296641892764124, acceleration_z, t130));
-        let t132 = fma(angular_acceleration_z, t107, fma(angular_acceleration_y, t108, t131));
-        let t133 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t119, omega_z * t117) + t121);
-        let t134 = fma(angular_acceleration_x, t108, fma(0.7613599420768367, acceleration_z, t133));
-        let t135 = fma(angular_acceleration_z, t106, fma(angular_acceleration_y, t104, t134));
-        let t136 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t122));
-        let t137 = fma(angular_acceleration_y, t106, fma(angular_acceleration_x, t107, t136));
-        let t138 = fma(0.11303908576704362, modal_acceleration1, fma(angular_acceleration_z, t105, t137));
-        let t139 = 0.9351597374893034 + t126;
+        let t100 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
+        let t101 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
+        let t102 = fma(-0.14106512955956807, angular_acceleration_y, fma(-omega_z, t100, omega_y * t101));
+        let t103 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
+        let t104 = fma(0.14106512955956807, angular_acceleration_x, fma(-omega_x, t101, omega_z * t103));
+        let t105 = fma(-0.013296641892764124, angular_acceleration_x, fma(-omega_y, t103, omega_x * t100));
+        let t106 = -0.5 * (t8 + (t7 + t30));
+        let t107 = -0.5 * (t6 + (t5 + t28));
+        let t108 = t2 + (t1 + t24);
+        let t109 = t4 + (t3 + t26);
+        let t110 = t108 + t109;
+        let t111 = -0.5 * (t10 + (t9 + t32));
+        let t112 = q0 + t22;
+        let t113 = t112 - t108;
+        let t114 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t111, fma(omega_y, t113, omega_x * t107)));
+        let t115 = t112 - t109;
+        let t116 = fma(0.11303908576704362, q_dot1, fma(omega_z, t115, fma(omega_y, t111, omega_x * t106)));
+        let t117 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
+        let t118 = fma(0.08566760407982914, q_dot1, 0.12985232981165795 * q_dot0);
+        let t119 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
+        let t120 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
+        let t121 = fma(-omega_z, t117, fma(-omega_y, t118, t53 * (t119 + t120)));
+        let t122 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t114, omega_y * t116) + t121);
+        let t123 = fma(angular_acceleration_x, t110, fma(-0.013296641892764124, acceleration_z, t122));
+        let t124 = fma(angular_acceleration_z, t106, fma(angular_acceleration_y, t107, t123));
+        let t125 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t106, fma(omega_y, t107, omega_x * t110)));
+        let t126 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
+        let t127 = fma(-omega_z, t126, fma(-omega_x, t118, t57 * (q_dot0 - t119)));
+        let t128 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t116, omega_z * t125) + t127);
+        let t129 = fma(angular_acceleration_x, t107, fma(0.7613599420768367, acceleration_z, t128));
+        let t130 = fma(angular_acceleration_z, t111, fma(angular_acceleration_y, t113, t129));
+        let t131 = fma(-omega_y, t125, omega_x * t114) + fma(t61, q_dot0 - t120, -fma(omega_y, t126, omega_x * t117));
+        let t132 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t131));
+        let t133 = fma(angular_acceleration_y, t111, fma(angular_acceleration_x, t106, t132));
+        let t134 = fma(0.11303908576704362, modal_acceleration1, fma(angular_acceleration_z, t115, t133));
+        let t135 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t71, -t70));
+        let t136 = fma(-0.33402903106409804, t64, fma(0.12985232981165795, t65, t135));
+        let t137 = fma(0.08566760407982914, t65, fma(-0.04431370462910027, t68, 0.00639232183790743 * t71));
+        let t138 = fma(-0.14347674245138292, t63, fma(0.06527925764351436, t64, t137));
+        let t139 = 0.9351597374893034 + t138;
         let t140 = fma(-0.19242619512316964, angular_acceleration_y, fma(-0.01153987579044198, angular_acceleration_x, t139));
-        let t141 = q1 + t22;
-        let t142 = t11 + (t12 + t24);
-        let t143 = t13 + (t14 + t26);
-        let t144 = t142 + t143;
-        let t145 = t141 - t142;
-        let t146 = t141 - t143;
-        let t147 = -0.5 * (t19 + (t20 + t32));
-        let t148 = -0.5 * (t17 + (t18 + t30));
-        let t149 = -0.5 * (t15 + (t16 + t28));
-        let t150 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
-        let t151 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
-        let t152 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
-        let t153 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
-        let t154 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
-        let t155 = fma(0.031030589707457527, q_dot1, 0.08566760407982914 * q_dot0);
-        let t156 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
-        let t157 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
-        let t158 = fma(0.01153987579044198, q_dot0, fma(omega_z, t148, fma(omega_y, t149, omega_x * t144)));
-        let t159 = fma(0.19242619512316964, q_dot0, fma(omega_z, t147, fma(omega_y, t145, omega_x * t149)));
-        let t160 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t146, fma(omega_y, t147, omega_x * t148)));
-        let t161 = fma(-omega_z, t156, fma(-omega_y, t155, t57 * (t153 + t154)));
-        let t162 = fma(-omega_z, t157, fma(-omega_x, t155, t58 * (q_dot1 - t153)));
-        let t163 = fma(-omega_y, t158, omega_x * t159) + fma(t59, q_dot1 - t154, -fma(omega_y, t157, omega_x * t156));
-        let t164 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t67, -t66));
-        let t165 = fma(0.41141170797873267, t70, fma(0.031030589707457527, t69, t164));
-        let t166 = fma(0.23954110582463117, angular_acceleration_y, fma(-omega_z, t151, omega_y * t152));
-        let t167 = fma(-0.23954110582463117, angular_acceleration_x, fma(-omega_x, t152, omega_z * t150));
-        let t168 = fma(0.055993206221893924, angular_acceleration_x, fma(-omega_y, t150, omega_x * t151));
-        let t169 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t159, omega_y * t160) + t161);
-        let t170 = fma(angular_acceleration_x, t144, fma(0.055993206221893924, acceleration_z, t169));
-        let t171 = fma(angular_acceleration_z, t148, fma(angular_acceleration_y, t149, t170));
-        let t172 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t160, omega_z * t158) + t162);
-        let t173 = fma(angular_acceleration_x, t149, fma(-0.26899095817779994, acceleration_z, t172));
-        let t174 = fma(angular_acceleration_z, t147, fma(angular_acceleration_y, t145, t173));
-        let t175 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t163));
-        let t176 = fma(angular_acceleration_y, t147, fma(angular_acceleration_x, t148, t175));
-        let t177 = fma(-0.11303908576704362, modal_acceleration0, fma(angular_acceleration_z, t146, t176));
-        let t178 = fma(0.19242619512316964, angular_acceleration_y, fma(0.01153987579044198, angular_acceleration_x, t139));
+        let t141 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
+        let t142 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
+        let t143 = fma(0.23954110582463117, angular_acceleration_y, fma(-omega_z, t141, omega_y * t142));
+        let t144 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
+        let t145 = fma(-0.23954110582463117, angular_acceleration_x, fma(-omega_x, t142, omega_z * t144));
+        let t146 = fma(0.055993206221893924, angular_acceleration_x, fma(-omega_y, t144, omega_x * t141));
+        let t147 = -0.5 * (t17 + (t18 + t29));
+        let t148 = -0.5 * (t15 + (t16 + t27));
+        let t149 = t11 + (t12 + t23);
+        let t150 = t13 + (t14 + t25);
+        let t151 = t149 + t150;
+        let t152 = -0.5 * (t19 + (t20 + t31));
+        let t153 = q1 + t21;
+        let t154 = t153 - t149;
+        let t155 = fma(0.19242619512316964, q_dot0, fma(omega_z, t152, fma(omega_y, t154, omega_x * t148)));
+        let t156 = t153 - t150;
+        let t157 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t156, fma(omega_y, t152, omega_x * t147)));
+        let t158 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
+        let t159 = fma(0.031030589707457527, q_dot1, 0.08566760407982914 * q_dot0);
+        let t160 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
+        let t161 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
+        let t162 = fma(-omega_z, t158, fma(-omega_y, t159, t53 * (t160 + t161)));
+        let t163 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t155, omega_y * t157) + t162);
+        let t164 = fma(angular_acceleration_x, t151, fma(0.055993206221893924, acceleration_z, t163));
+        let t165 = fma(angular_acceleration_z, t147, fma(angular_acceleration_y, t148, t164));
+        let t166 = fma(0.01153987579044198, q_dot0, fma(omega_z, t147, fma(omega_y, t148, omega_x * t151)));
+        let t167 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
+        let t168 = fma(-omega_z, t167, fma(-omega_x, t159, t57 * (q_dot1 - t160)));
+        let t169 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t157, omega_z * t166) + t168);
+        let t170 = fma(angular_acceleration_x, t148, fma(-0.26899095817779994, acceleration_z, t169));
+        let t171 = fma(angular_acceleration_z, t152, fma(angular_acceleration_y, t154, t170));
+        let t172 = fma(-omega_y, t166, omega_x * t155) + fma(t61, q_dot1 - t161, -fma(omega_y, t167, omega_x * t158));
+        let t173 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t172));
+        let t174 = fma(angular_acceleration_y, t152, fma(angular_acceleration_x, t147, t173));
+        let t175 = fma(-0.11303908576704362, modal_acceleration0, fma(angular_acceleration_z, t156, t174));
+        let t176 = fma(0.19242619512316964, angular_acceleration_y, fma(0.01153987579044198, angular_acceleration_x, t139));
+        let t177 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t71, -t70));
+        let t178 = fma(0.41141170797873267, t64, fma(0.031030589707457527, t65, t177));
         let t179 = fma(0.02659328378552825, omega_z, omega_y * -0.28213025911913614);
         let t180 = fma(0.28213025911913614, omega_x, omega_z * -1.5227198841536733);
         let t181 = fma(1.5227198841536733, omega_y, omega_x * -0.02659328378552825);
         let t182 = moment_yy0 + moment_zz0;
         let t183 = omega_y * moment_xy0;
         let t184 = omega_z * moment_xz0;
-        let t185 = omega_x * moment_xy0;
-        let t186 = omega_z * moment_yz0;
-        let t187 = omega_x * moment_xz0;
-        let t188 = omega_y * moment_yz0;
-        let t189 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t57, t182, -t183) - t184);
-        let t190 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t58, moment_trace0 - moment_yy0, -t185) - t186);
-        let t191 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t59, moment_trace0 - moment_zz0, -(t187 + t188));
-        let t192 = fma(0.11303908576704362, t59, fma(-0.19242619512316964, t58, -0.01153987579044198 * t57));
+        let t185 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t53, t182, -t183) - t184);
+        let t186 = omega_x * moment_xy0;
+        let t187 = omega_z * moment_yz0;
+        let t188 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t57, moment_trace0 - moment_yy0, -t186) - t187);
+        let t189 = omega_x * moment_xz0;
+        let t190 = omega_y * moment_yz0;
+        let t191 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t61, moment_trace0 - moment_zz0, -(t189 + t190));
+        let t192 = fma(0.11303908576704362, t61, fma(-0.19242619512316964, t57, -0.01153987579044198 * t53));
         let t193 = fma(-0.11198641244378785, omega_z, omega_y * 0.47908221164926235);
         let t194 = fma(-0.47908221164926235, omega_x, omega_z * 0.5379819163555999);
         let t195 = fma(-0.5379819163555999, omega_y, omega_x * 0.11198641244378785);
         let t196 = moment_yy1 + moment_zz1;
         let t197 = omega_y * moment_xy1;
         let t198 = omega_z * moment_xz1;
-        let t199 = omega_x * moment_xy1;
-        let t200 = omega_z * moment_yz1;
-        let t201 = omega_x * moment_xz1;
-        let t202 = omega_y * moment_yz1;
-        let t203 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t57, t196, -t197) - t198);
-        let t204 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t58, moment_trace1 - moment_yy1, -t199) - t200);
-        let t205 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t59, moment_trace1 - moment_zz1, -(t201 + t202));
-        let t206 = fma(-0.11303908576704362, t59, fma(0.19242619512316964, t58, 0.01153987579044198 * t57));
+        let t199 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t53, t196, -t197) - t198);
+        let t200 = omega_x * moment_xy1;
+        let t201 = omega_z * moment_yz1;
+        let t202 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t57, moment_trace1 - moment_yy1, -t200) - t201);
+        let t203 = omega_x * moment_xz1;
+        let t204 = omega_y * moment_yz1;
+        let t205 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t61, moment_trace1 - moment_zz1, -(t203 + t204));
+        let t206 = fma(-0.11303908576704362, t61, fma(0.19242619512316964, t57, 0.01153987579044198 * t53));
         let t207 = omega_y * first_moment_y;
         let t208 = omega_z * first_moment_z;
         let t209 = omega_y * inertia_xz;
@@ -2080,56 +2080,56 @@ const _: () = {
         let t212 = fma(-omega_y, inertia_xx, t47 + angular_momentum_y) - rate_xz;
         let t213 = omega_x + omega_x;
         let t214 = omega_x * first_moment_x;
-        let t215 = omega_x * inertia_yz;
-        let t216 = fma(-omega_z, inertia_yy, t50 + angular_momentum_z) - rate_xy;
+        let t215 = fma(-omega_z, inertia_yy, t50 + angular_momentum_z) - rate_xy;
+        let t216 = omega_x * inertia_yz;
         let t217 = fma(omega_x, inertia_yy, -(t45 + angular_momentum_x)) - rate_yz;
         let t218 = omega_y + omega_y;
-        let t219 = fma(2.0, whirl_y0, t186 + fma(t218, moment_yy0 - moment_trace0, t185));
-        let t220 = fma(2.0, whirl_y1, t200 + fma(t218, moment_yy1 - moment_trace1, t199));
+        let t219 = fma(2.0, whirl_y0, t187 + fma(t218, moment_yy0 - moment_trace0, t186));
+        let t220 = fma(2.0, whirl_y1, t201 + fma(t218, moment_yy1 - moment_trace1, t200));
         let t221 = fma(omega_y, inertia_zz, -(t48 + angular_momentum_y)) - rate_xz;
         let t222 = fma(-omega_x, inertia_zz, t46 + angular_momentum_x) - rate_yz;
         let t223 = omega_z + omega_z;
-        let t224 = fma(2.0, whirl_z0, t188 + fma(t223, moment_zz0 - moment_trace0, t187));
-        let t225 = fma(2.0, whirl_z1, t202 + fma(t223, moment_zz1 - moment_trace1, t201));
+        let t224 = fma(2.0, whirl_z0, t190 + fma(t223, moment_zz0 - moment_trace0, t189));
+        let t225 = fma(2.0, whirl_z1, t204 + fma(t223, moment_zz1 - moment_trace1, t203));
 
         (
             [
-                t76, t79, t82, fma(coupling_x1, modal_acceleration1, t85),
-                fma(coupling_y1, modal_acceleration1, t88), fma(coupling_z1, modal_acceleration1, t91),
-                t95, t99,
+                t74, t77, t80, fma(coupling_x1, modal_acceleration1, t83),
+                fma(coupling_y1, modal_acceleration1, t86), fma(coupling_z1, modal_acceleration1, t89),
+                t94, t99,
             ],
             [
                 [
-                    fma(0.013296641892764124, angular_acceleration_z, t127),
-                    fma(-0.7613599420768367, angular_acceleration_z, t128),
-                    fma(0.7613599420768367, angular_acceleration_y, t129),
-                    fma(-0.01153987579044198, modal_acceleration1, t132),
-                    fma(-0.19242619512316964, modal_acceleration1, t135), t138,
-                    41.0018510905971 + fma(-0.4323361376218965, t71, t124),
+                    fma(0.013296641892764124, angular_acceleration_z, t102),
+                    fma(-0.7613599420768367, angular_acceleration_z, t104),
+                    fma(0.7613599420768367, angular_acceleration_y, t105),
+                    fma(-0.01153987579044198, modal_acceleration1, t124),
+                    fma(-0.19242619512316964, modal_acceleration1, t130), t134,
+                    41.0018510905971 + fma(-0.4323361376218965, t63, t136),
                     fma(0.11303908576704362, angular_acceleration_z, t140),
                 ],
                 [
-                    fma(-0.055993206221893924, angular_acceleration_z, t166),
-                    fma(0.26899095817779994, angular_acceleration_z, t167),
-                    fma(-0.26899095817779994, angular_acceleration_y, t168),
-                    fma(0.01153987579044198, modal_acceleration0, t171),
-                    fma(0.19242619512316964, modal_acceleration0, t174), t177,
-                    fma(-0.11303908576704362, angular_acceleration_z, t178),
-                    70.93539824726788 + fma(0.13572545476093628, t71, t165),
+                    fma(-0.055993206221893924, angular_acceleration_z, t143),
+                    fma(0.26899095817779994, angular_acceleration_z, t145),
+                    fma(-0.26899095817779994, angular_acceleration_y, t146),
+                    fma(0.01153987579044198, modal_acceleration0, t165),
+                    fma(0.19242619512316964, modal_acceleration0, t171), t175,
+                    fma(-0.11303908576704362, angular_acceleration_z, t176),
+                    70.93539824726788 + fma(0.13572545476093628, t63, t178),
                 ],
             ],
             [
-                [t179, t180, t181, t189, t190, t191, 0.410018510905971, t192],
-                [t193, t194, t195, t203, t204, t205, t206, 0.7093539824726789],
+                [t179, t180, t181, t185, t188, t191, 0.410018510905971, t192],
+                [t193, t194, t195, t199, t202, t205, t206, 0.7093539824726789],
             ],
             [
                 [
-                    t207 + t208, -(t40 + t44), t43 - t39, fma(2.0, t54, t209 - t210), t211, t212,
+                    t207 + t208, -(t38 + t40), t36 - t35, fma(2.0, t52, t209 - t210), t211, t212,
                     fma(2.0, whirl_x0, t184 + fma(-t182, t213, t183)),
                     fma(2.0, whirl_x1, t198 + fma(-t196, t213, t197)),
                 ],
-                [t44 - t41, t208 + t214, -(t36 + t42), t216, fma(2.0, t55, t210 - t215), t217, t219, t220],
-                [-(t38 + t43), t42 - t37, t207 + t214, t221, t222, fma(2.0, t56, t215 - t209), t224, t225],
+                [t40 - t39, t208 + t214, -(t42 + t44), t215, fma(2.0, t56, t210 - t216), t217, t219, t220],
+                [-(t34 + t36), t44 - t43, t207 + t214, t221, t222, fma(2.0, t60, t216 - t209), t224, t225],
             ],
             [
                 [

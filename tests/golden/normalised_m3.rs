@@ -289,12 +289,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (24 operations: 15 multiply-add, 9 multiply)
-        let t1 = fma(-0.25776611797120724, q_dot1, -0.06409007611640456 * q_dot0);
-        let t2 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
+        let t1 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
+        let t2 = fma(fma(-0.42481972953070996, q_dot2, t1), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(-0.05794438109558275, q_dot1, -0.10812284215722648 * q_dot0);
-        let t4 = fma(fma(-0.23893014622917852, q_dot2, t1), 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(fma(-0.42481972953070996, q_dot2, t2), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(fma(0.02522646067793359, q_dot2, t3), 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(fma(0.02522646067793359, q_dot2, t3), 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-0.25776611797120724, q_dot1, -0.06409007611640456 * q_dot0);
+        let t6 = fma(fma(-0.23893014622917852, q_dot2, t5), 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (63 operations: 33 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot2, moment_trace2, fma(q_dot1, moment_trace1, q_dot0 * moment_trace0));
@@ -307,53 +307,53 @@ const _: () = {
         let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
         let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * 2.0;
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * 2.0;
-        let t12 = omega_z * 2.0;
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = fma(0.060263122931659224, q_dot2, 0.022947839769396544 * q_dot1);
         let whirl_y0 = fma(0.029410818970273353, q_dot2, -0.006993626926628485 * q_dot1);
         let whirl_z0 = fma(-0.03327501521238438, q_dot2, 0.07264855940822362 * q_dot1);
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = fma(-0.17955294016720857, q_dot2, -0.022947839769396544 * q_dot0);
         let whirl_y1 = fma(-0.21401930418126247, q_dot2, 0.006993626926628485 * q_dot0);
         let whirl_z1 = fma(0.09423875781655167, q_dot2, -0.07264855940822362 * q_dot0);
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
-        let modal_quadratic2 = fma(moment_zz2, t21, fma(-moment_trace2, t19, moment_yy2 * t20));
-        let modal_quadratic2 = fma(moment_yz2, t24, fma(moment_xz2, t23, fma(moment_xy2, t22, modal_quadratic2)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
         let whirl_x2 = fma(0.17955294016720857, q_dot1, -0.060263122931659224 * q_dot0);
         let whirl_y2 = fma(0.21401930418126247, q_dot1, -0.029410818970273353 * q_dot0);
         let whirl_z2 = fma(-0.09423875781655167, q_dot1, 0.03327501521238438 * q_dot0);
-        let modal_quadratic2 = fma(t12, whirl_z2, fma(t11, whirl_y2, fma(t10, whirl_x2, modal_quadratic2)));
+        let modal_quadratic2 = fma(moment_zz2, t21, fma(-moment_trace2, t23, moment_yy2 * t24));
+        let modal_quadratic2 = fma(moment_yz2, t16, fma(moment_xz2, t17, fma(moment_xy2, t18, modal_quadratic2)));
+        let modal_quadratic2 = fma(t14, whirl_z2, fma(t11, whirl_y2, fma(t8, whirl_x2, modal_quadratic2)));
 
         [
-            fma(-omega_z, t5, omega_y * t6), fma(-omega_x, t6, omega_z * t4),
-            fma(-omega_y, t4, omega_x * t5), t7 + t13, t8 + t14, t9 + t15, modal_quadratic0,
+            fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+            fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
             modal_quadratic1, modal_quadratic2,
         ]
     }
@@ -443,12 +443,12 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (24 operations: 15 multiply-add, 9 multiply)
-        let t1 = fma(-0.25776611797120724, q_dot1, -0.06409007611640456 * q_dot0);
-        let t2 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
+        let t1 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
+        let t2 = fma(fma(-0.42481972953070996, q_dot2, t1), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(-0.05794438109558275, q_dot1, -0.10812284215722648 * q_dot0);
-        let t4 = fma(fma(-0.23893014622917852, q_dot2, t1), 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(fma(-0.42481972953070996, q_dot2, t2), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(fma(0.02522646067793359, q_dot2, t3), 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(fma(0.02522646067793359, q_dot2, t3), 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-0.25776611797120724, q_dot1, -0.06409007611640456 * q_dot0);
+        let t6 = fma(fma(-0.23893014622917852, q_dot2, t5), 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (63 operations: 33 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot2, moment_trace2, fma(q_dot1, moment_trace1, q_dot0 * moment_trace0));
@@ -461,56 +461,56 @@ const _: () = {
         let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
         let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t10 = omega_x * 2.0;
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = omega_y * 2.0;
-        let t12 = omega_z * 2.0;
-        let t13 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t10));
-        let t14 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
-        let t15 = fma(rate_trace - rate_zz, t12, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t19, moment_yy0 * t20));
-        let modal_quadratic0 = fma(moment_yz0, t24, fma(moment_xz0, t23, fma(moment_xy0, t22, modal_quadratic0)));
         let whirl_x0 = fma(0.060263122931659224, q_dot2, 0.022947839769396544 * q_dot1);
         let whirl_y0 = fma(0.029410818970273353, q_dot2, -0.006993626926628485 * q_dot1);
         let whirl_z0 = fma(-0.03327501521238438, q_dot2, 0.07264855940822362 * q_dot1);
-        let modal_quadratic0 = fma(t12, whirl_z0, fma(t11, whirl_y0, fma(t10, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t19, moment_yy1 * t20));
-        let modal_quadratic1 = fma(moment_yz1, t24, fma(moment_xz1, t23, fma(moment_xy1, t22, modal_quadratic1)));
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
         let whirl_x1 = fma(-0.17955294016720857, q_dot2, -0.022947839769396544 * q_dot0);
         let whirl_y1 = fma(-0.21401930418126247, q_dot2, 0.006993626926628485 * q_dot0);
         let whirl_z1 = fma(0.09423875781655167, q_dot2, -0.07264855940822362 * q_dot0);
-        let modal_quadratic1 = fma(t12, whirl_z1, fma(t11, whirl_y1, fma(t10, whirl_x1, modal_quadratic1)));
-        let modal_quadratic2 = fma(moment_zz2, t21, fma(-moment_trace2, t19, moment_yy2 * t20));
-        let modal_quadratic2 = fma(moment_yz2, t24, fma(moment_xz2, t23, fma(moment_xy2, t22, modal_quadratic2)));
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
         let whirl_x2 = fma(0.17955294016720857, q_dot1, -0.060263122931659224 * q_dot0);
         let whirl_y2 = fma(0.21401930418126247, q_dot1, -0.029410818970273353 * q_dot0);
         let whirl_z2 = fma(-0.09423875781655167, q_dot1, 0.03327501521238438 * q_dot0);
-        let modal_quadratic2 = fma(t12, whirl_z2, fma(t11, whirl_y2, fma(t10, whirl_x2, modal_quadratic2)));
+        let modal_quadratic2 = fma(moment_zz2, t21, fma(-moment_trace2, t23, moment_yy2 * t24));
+        let modal_quadratic2 = fma(moment_yz2, t16, fma(moment_xz2, t17, fma(moment_xy2, t18, modal_quadratic2)));
+        let modal_quadratic2 = fma(t14, whirl_z2, fma(t11, whirl_y2, fma(t8, whirl_x2, modal_quadratic2)));
 
         // Modal forces f - Q_f - K q - D q̇ (24 operations: 9 multiply-add, 3 multiply, 12 add)
         let t25 = fma(0.735813098445183, q2, fma(-0.3709670437145567, q1, 40.97972364521601 * q0));
-        let t26 = fma(-0.8668418567424443, q2, fma(70.8017180173034, q1, -0.3709670437145567 * q0));
-        let t27 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.40979723645216015, q_dot0, t25);
+        let t26 = fma(-0.8668418567424443, q2, fma(70.8017180173034, q1, -0.3709670437145567 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.708017180173034, q_dot1, t26);
+        let t27 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
         let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.014346531659143, q_dot2, t27);
 
         // Elimination of the modal accelerations (63 operations: 60 multiply-add, 3 multiply)
@@ -538,70 +538,70 @@ const _: () = {
         let t49 = fma(0.02522646067793359, coupling_y2, t48);
         let t50 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
         let t51 = fma(0.02522646067793359, coupling_z2, t50);
-        let reduced_force_x = fma(0.06409007611640456, modal_residual0, force_x - fma(-omega_z, t5, omega_y * t6));
+        let reduced_force_x = fma(0.06409007611640456, modal_residual0, force_x - fma(-omega_z, t2, omega_y * t4));
         let reduced_force_x = fma(0.23893014622917852, modal_residual2, fma(0.25776611797120724, modal_residual1, reduced_force_x));
-        let reduced_force_y = fma(0.9001934196050294, modal_residual0, force_y - fma(-omega_x, t6, omega_z * t4));
+        let reduced_force_y = fma(0.9001934196050294, modal_residual0, force_y - fma(-omega_x, t4, omega_z * t6));
         let reduced_force_y = fma(0.42481972953070996, modal_residual2, fma(0.17297569884952893, modal_residual1, reduced_force_y));
-        let reduced_force_z = fma(0.10812284215722648, modal_residual0, force_z - fma(-omega_y, t4, omega_x * t5));
+        let reduced_force_z = fma(0.10812284215722648, modal_residual0, force_z - fma(-omega_y, t6, omega_x * t2));
         let reduced_force_z = fma(-0.02522646067793359, modal_residual2, fma(0.05794438109558275, modal_residual1, reduced_force_z));
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t13)));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t9)));
         let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t8 + t14)));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
         let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t9 + t15)));
+        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t52 = fma(t47, 0.0003571574743600769, fma(t41, -0.0044554451455134335, t35 * -0.13841073648711544));
-        let t53 = fma(t47, 0.0020881186486960903, fma(t41, -0.15794431005496007, t35 * -0.0044554451455134335));
-        let t54 = fma(t41, -0.0020881186486960903, t35 * -0.0003571574743600769);
-        let t55 = fma(t47, 0.13620443776353558, t54);
-        let t56 = fma(t49, -0.0003571574743600769, fma(t43, -0.0044554451455134335, t37 * 0.13841073648711544));
-        let t57 = fma(t49, -0.0020881186486960903, fma(t43, -0.15794431005496007, t37 * 0.0044554451455134335));
+        let t52 = fma(t45, 0.0020881186486960903, t39 * -0.0003571574743600769);
+        let t53 = fma(t51, -0.13620443776353558, t52);
+        let t54 = fma(t51, -0.0020881186486960903, fma(t45, 0.15794431005496007, t39 * -0.0044554451455134335));
+        let t55 = fma(t51, -0.0003571574743600769, fma(t45, 0.0044554451455134335, t39 * -0.13841073648711544));
+        let t56 = fma(t41, t54, fma(t35, t55, fma(-coupling_x2, coupling_z2, t32)));
+        let t57 = fma(-t47, t53, t56);
         let t58 = fma(t43, -0.0020881186486960903, t37 * 0.0003571574743600769);
         let t59 = fma(t49, -0.13620443776353558, t58);
-        let t60 = fma(t51, -0.0003571574743600769, fma(t45, 0.0044554451455134335, t39 * -0.13841073648711544));
-        let t61 = fma(t51, -0.0020881186486960903, fma(t45, 0.15794431005496007, t39 * -0.0044554451455134335));
-        let t62 = fma(t45, 0.0020881186486960903, t39 * -0.0003571574743600769);
-        let t63 = fma(t51, -0.13620443776353558, t62);
-        let t64 = fma(reduced_force_y, 0.0044554451455134335, reduced_force_x * 0.13841073648711544);
-        let t65 = fma(reduced_force_z, 0.0003571574743600769, t64);
-        let t66 = fma(reduced_force_y, 0.15794431005496007, reduced_force_x * 0.0044554451455134335);
-        let t67 = fma(reduced_force_z, 0.0020881186486960903, t66);
-        let t68 = fma(reduced_force_y, 0.0020881186486960903, reduced_force_x * 0.0003571574743600769);
-        let t69 = fma(reduced_force_z, 0.13620443776353558, t68);
-        let t70 = fma(t41, t53, fma(t35, t52, fma(-coupling_x2, coupling_x2, t28)));
-        let t71 = fma(-t47, t55, t70);
-        let t72 = fma(t43, t57, fma(-t37, t56, fma(-coupling_y2, coupling_y2, t29)));
-        let t73 = fma(t49, t59, t72);
-        let t74 = fma(-t45, t61, fma(t39, t60, fma(-coupling_z2, coupling_z2, t30)));
-        let t75 = fma(t51, t63, t74);
-        let t76 = fma(t43, t61, fma(-t37, t60, fma(-coupling_y2, coupling_z2, t31)));
-        let t77 = fma(t49, t63, t76);
-        let t78 = fma(t41, t61, fma(t35, t60, fma(-coupling_x2, coupling_z2, t32)));
-        let t79 = fma(-t47, t63, t78);
-        let t80 = fma(t41, t57, fma(t35, t56, fma(-coupling_x2, coupling_y2, t33)));
-        let t81 = fma(-t47, t59, t80);
-        let t82 = fma(-t47, t69, fma(t41, t67, fma(t35, t65, reduced_moment_x)));
-        let t83 = fma(t49, t69, fma(t43, t67, fma(-t37, t65, reduced_moment_y)));
-        let t84 = fma(t51, t69, fma(-t45, t67, fma(t39, t65, reduced_moment_z)));
-        let t85 = fma(-t77, t77, t73 * t75);
-        let t86 = fma(-t73, t79, t77 * t81);
-        let t87 = fma(-t75, t81, t77 * t79);
-        let inverse_determinant = 1.0 / fma(t79, t86, fma(t81, t87, t71 * t85));
-        let t88 = fma(-t71, t77, t79 * t81) * inverse_determinant;
-        let t89 = t86 * inverse_determinant;
-        let t90 = t87 * inverse_determinant;
-        let angular_acceleration_x = fma(t84, t89, fma(t83, t90, t82 * (t85 * inverse_determinant)));
-        let angular_acceleration_y = fma(t83, fma(-t79, t79, t71 * t75) * inverse_determinant, t82 * t90);
-        let angular_acceleration_y = fma(t84, t88, angular_acceleration_y);
-        let angular_acceleration_z = fma(t84, fma(-t81, t81, t71 * t73) * inverse_determinant, fma(t83, t88, t82 * t89));
-        let acceleration_x = fma(-t56, angular_acceleration_y, fma(-t52, angular_acceleration_x, t65));
-        let acceleration_x = fma(-t60, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t57, angular_acceleration_y, fma(-t53, angular_acceleration_x, t67));
-        let acceleration_y = fma(-t61, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t55, angular_acceleration_x, t69));
-        let acceleration_z = fma(-t63, angular_acceleration_z, acceleration_z);
+        let t60 = fma(t49, -0.0020881186486960903, fma(t43, -0.15794431005496007, t37 * 0.0044554451455134335));
+        let t61 = fma(t49, -0.0003571574743600769, fma(t43, -0.0044554451455134335, t37 * 0.13841073648711544));
+        let t62 = fma(t43, t60, fma(-t37, t61, fma(-coupling_y2, coupling_y2, t29)));
+        let t63 = fma(t49, t59, t62);
+        let t64 = fma(t43, t54, fma(-t37, t55, fma(-coupling_y2, coupling_z2, t31)));
+        let t65 = fma(t49, t53, t64);
+        let t66 = fma(t41, t60, fma(t35, t61, fma(-coupling_x2, coupling_y2, t33)));
+        let t67 = fma(-t47, t59, t66);
+        let t68 = fma(-t63, t57, t65 * t67);
+        let t69 = fma(-t45, t54, fma(t39, t55, fma(-coupling_z2, coupling_z2, t30)));
+        let t70 = fma(t51, t53, t69);
+        let t71 = fma(-t70, t67, t65 * t57);
+        let t72 = fma(t41, -0.0020881186486960903, t35 * -0.0003571574743600769);
+        let t73 = fma(t47, 0.13620443776353558, t72);
+        let t74 = fma(t47, 0.0020881186486960903, fma(t41, -0.15794431005496007, t35 * -0.0044554451455134335));
+        let t75 = fma(t47, 0.0003571574743600769, fma(t41, -0.0044554451455134335, t35 * -0.13841073648711544));
+        let t76 = fma(t41, t74, fma(t35, t75, fma(-coupling_x2, coupling_x2, t28)));
+        let t77 = fma(-t47, t73, t76);
+        let t78 = fma(-t65, t65, t63 * t70);
+        let inverse_determinant = 1.0 / fma(t57, t68, fma(t67, t71, t77 * t78));
+        let t79 = fma(reduced_force_y, 0.0020881186486960903, reduced_force_x * 0.0003571574743600769);
+        let t80 = fma(reduced_force_z, 0.13620443776353558, t79);
+        let t81 = fma(reduced_force_y, 0.15794431005496007, reduced_force_x * 0.0044554451455134335);
+        let t82 = fma(reduced_force_z, 0.0020881186486960903, t81);
+        let t83 = fma(reduced_force_y, 0.0044554451455134335, reduced_force_x * 0.13841073648711544);
+        let t84 = fma(reduced_force_z, 0.0003571574743600769, t83);
+        let t85 = fma(t51, t80, fma(-t45, t82, fma(t39, t84, reduced_moment_z)));
+        let t86 = t68 * inverse_determinant;
+        let t87 = fma(t49, t80, fma(t43, t82, fma(-t37, t84, reduced_moment_y)));
+        let t88 = t71 * inverse_determinant;
+        let t89 = fma(-t47, t80, fma(t41, t82, fma(t35, t84, reduced_moment_x)));
+        let angular_acceleration_x = fma(t85, t86, fma(t87, t88, t89 * (t78 * inverse_determinant)));
+        let t90 = fma(-t77, t65, t57 * t67) * inverse_determinant;
+        let angular_acceleration_y = fma(t87, fma(-t57, t57, t77 * t70) * inverse_determinant, t89 * t88);
+        let angular_acceleration_y = fma(t85, t90, angular_acceleration_y);
+        let angular_acceleration_z = fma(t85, fma(-t67, t67, t77 * t63) * inverse_determinant, fma(t87, t90, t89 * t86));
+        let acceleration_x = fma(-t61, angular_acceleration_y, fma(-t75, angular_acceleration_x, t84));
+        let acceleration_x = fma(-t55, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t60, angular_acceleration_y, fma(-t74, angular_acceleration_x, t82));
+        let acceleration_y = fma(-t54, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t73, angular_acceleration_x, t80));
+        let acceleration_z = fma(-t53, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (18 operations: 18 multiply-add)
         let t91 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
@@ -710,15 +710,15 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
 
         // Translation: ω × (ω × m r + 2 m B q̇) (24 operations: 15 multiply-add, 9 multiply)
-        let t1 = fma(-0.25776611797120724, q_dot1, -0.06409007611640456 * q_dot0);
-        let t2 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
+        let t1 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
+        let t2 = fma(fma(-0.42481972953070996, q_dot2, t1), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
         let t3 = fma(-0.05794438109558275, q_dot1, -0.10812284215722648 * q_dot0);
-        let t4 = fma(fma(-0.23893014622917852, q_dot2, t1), 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t5 = fma(fma(-0.42481972953070996, q_dot2, t2), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t6 = fma(fma(0.02522646067793359, q_dot2, t3), 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t7 = fma(-omega_z, t5, omega_y * t6);
-        let t8 = fma(-omega_x, t6, omega_z * t4);
-        let t9 = fma(-omega_y, t4, omega_x * t5);
+        let t4 = fma(fma(0.02522646067793359, q_dot2, t3), 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-omega_z, t2, omega_y * t4);
+        let t6 = fma(-0.25776611797120724, q_dot1, -0.06409007611640456 * q_dot0);
+        let t7 = fma(fma(-0.23893014622917852, q_dot2, t6), 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t8 = fma(-omega_x, t4, omega_z * t7);
+        let t9 = fma(-omega_y, t7, omega_x * t2);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (63 operations: 33 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot2, moment_trace2, fma(q_dot1, moment_trace1, q_dot0 * moment_trace0));
@@ -731,59 +731,59 @@ const _: () = {
         let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
         let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
         let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t10 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
-        let t11 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
-        let t12 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
-        let t13 = omega_x * 2.0;
-        let t14 = omega_y * 2.0;
-        let t15 = omega_z * 2.0;
-        let t16 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t13));
-        let t17 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t14));
-        let t18 = fma(rate_trace - rate_zz, t15, -fma(omega_y, rate_yz, omega_x * rate_xz));
-        let t19 = t10 + t16;
-        let t20 = t11 + t17;
-        let t21 = t12 + t18;
+        let t11 = omega_x * 2.0;
+        let t12 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t11));
+        let t13 = t10 + t12;
+        let t14 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t15 = omega_y * 2.0;
+        let t16 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t15));
+        let t17 = t14 + t16;
+        let t18 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t19 = omega_z * 2.0;
+        let t20 = fma(rate_trace - rate_zz, t19, -fma(omega_y, rate_yz, omega_x * rate_xz));
+        let t21 = t18 + t20;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
-        let t22 = omega_x * omega_x;
-        let t23 = omega_y * omega_y;
-        let t24 = omega_z * omega_z;
-        let t25 = t23 + t24;
-        let t26 = t23 - t22;
-        let t27 = t24 - t22;
-        let t28 = omega_x * omega_y;
-        let t29 = omega_x * omega_z;
-        let t30 = omega_y * omega_z;
-        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t25, moment_yy0 * t26));
-        let modal_quadratic0 = fma(moment_yz0, t30, fma(moment_xz0, t29, fma(moment_xy0, t28, modal_quadratic0)));
         let whirl_x0 = fma(0.060263122931659224, q_dot2, 0.022947839769396544 * q_dot1);
         let whirl_y0 = fma(0.029410818970273353, q_dot2, -0.006993626926628485 * q_dot1);
         let whirl_z0 = fma(-0.03327501521238438, q_dot2, 0.07264855940822362 * q_dot1);
-        let modal_quadratic0 = fma(t15, whirl_z0, fma(t14, whirl_y0, fma(t13, whirl_x0, modal_quadratic0)));
-        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t25, moment_yy1 * t26));
-        let modal_quadratic1 = fma(moment_yz1, t30, fma(moment_xz1, t29, fma(moment_xy1, t28, modal_quadratic1)));
+        let t22 = omega_y * omega_z;
+        let t23 = omega_x * omega_z;
+        let t24 = omega_x * omega_y;
+        let t25 = omega_z * omega_z;
+        let t26 = omega_x * omega_x;
+        let t27 = t25 - t26;
+        let t28 = omega_y * omega_y;
+        let t29 = t28 + t25;
+        let t30 = t28 - t26;
+        let modal_quadratic0 = fma(moment_zz0, t27, fma(-moment_trace0, t29, moment_yy0 * t30));
+        let modal_quadratic0 = fma(moment_yz0, t22, fma(moment_xz0, t23, fma(moment_xy0, t24, modal_quadratic0)));
+        let modal_quadratic0 = fma(t19, whirl_z0, fma(t15, whirl_y0, fma(t11, whirl_x0, modal_quadratic0)));
         let whirl_x1 = fma(-0.17955294016720857, q_dot2, -0.022947839769396544 * q_dot0);
         let whirl_y1 = fma(-0.21401930418126247, q_dot2, 0.006993626926628485 * q_dot0);
         let whirl_z1 = fma(0.09423875781655167, q_dot2, -0.07264855940822362 * q_dot0);
-        let modal_quadratic1 = fma(t15, whirl_z1, fma(t14, whirl_y1, fma(t13, whirl_x1, modal_quadratic1)));
-        let modal_quadratic2 = fma(moment_zz2, t27, fma(-moment_trace2, t25, moment_yy2 * t26));
-        let modal_quadratic2 = fma(moment_yz2, t30, fma(moment_xz2, t29, fma(moment_xy2, t28, modal_quadratic2)));
+        let modal_quadratic1 = fma(moment_zz1, t27, fma(-moment_trace1, t29, moment_yy1 * t30));
+        let modal_quadratic1 = fma(moment_yz1, t22, fma(moment_xz1, t23, fma(moment_xy1, t24, modal_quadratic1)));
+        let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
         let whirl_x2 = fma(0.17955294016720857, q_dot1, -0.060263122931659224 * q_dot0);
         let whirl_y2 = fma(0.21401930418126247, q_dot1, -0.029410818970273353 * q_dot0);
         let whirl_z2 = fma(-0.09423875781655167, q_dot1, 0.03327501521238438 * q_dot0);
-        let modal_quadratic2 = fma(t15, whirl_z2, fma(t14, whirl_y2, fma(t13, whirl_x2, modal_quadratic2)));
+        let modal_quadratic2 = fma(moment_zz2, t27, fma(-moment_trace2, t29, moment_yy2 * t30));
+        let modal_quadratic2 = fma(moment_yz2, t22, fma(moment_xz2, t23, fma(moment_xy2, t24, modal_quadratic2)));
+        let modal_quadratic2 = fma(t19, whirl_z2, fma(t15, whirl_y2, fma(t11, whirl_x2, modal_quadratic2)));
 
         // Modal forces f - Q_f - K q - D q̇ (24 operations: 9 multiply-add, 3 multiply, 12 add)
         let t31 = fma(0.735813098445183, q2, fma(-0.3709670437145567, q1, 40.97972364521601 * q0));
-        let t32 = fma(-0.8668418567424443, q2, fma(70.8017180173034, q1, -0.3709670437145567 * q0));
-        let t33 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.40979723645216015, q_dot0, t31);
+        let t32 = fma(-0.8668418567424443, q2, fma(70.8017180173034, q1, -0.3709670437145567 * q0));
         let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.708017180173034, q_dot1, t32);
+        let t33 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
         let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.014346531659143, q_dot2, t33);
 
         // Elimination of the modal accelerations (63 operations: 60 multiply-add, 3 multiply)
@@ -811,70 +811,70 @@ const _: () = {
         let t55 = fma(0.02522646067793359, coupling_y2, t54);
         let t56 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
         let t57 = fma(0.02522646067793359, coupling_z2, t56);
-        let reduced_force_x = fma(0.25776611797120724, modal_residual1, fma(0.06409007611640456, modal_residual0, force_x - t7));
+        let reduced_force_x = fma(0.25776611797120724, modal_residual1, fma(0.06409007611640456, modal_residual0, force_x - t5));
         let reduced_force_x = fma(0.23893014622917852, modal_residual2, reduced_force_x);
         let reduced_force_y = fma(0.17297569884952893, modal_residual1, fma(0.9001934196050294, modal_residual0, force_y - t8));
         let reduced_force_y = fma(0.42481972953070996, modal_residual2, reduced_force_y);
         let reduced_force_z = fma(0.05794438109558275, modal_residual1, fma(0.10812284215722648, modal_residual0, force_z - t9));
         let reduced_force_z = fma(-0.02522646067793359, modal_residual2, reduced_force_z);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t19));
+        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t13));
         let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t20));
+        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
 
         // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t58 = fma(t53, 0.0003571574743600769, fma(t47, -0.0044554451455134335, t41 * -0.13841073648711544));
-        let t59 = fma(t53, 0.0020881186486960903, fma(t47, -0.15794431005496007, t41 * -0.0044554451455134335));
-        let t60 = fma(t47, -0.0020881186486960903, t41 * -0.0003571574743600769);
-        let t61 = fma(t53, 0.13620443776353558, t60);
-        let t62 = fma(t55, -0.0003571574743600769, fma(t49, -0.0044554451455134335, t43 * 0.13841073648711544));
-        let t63 = fma(t55, -0.0020881186486960903, fma(t49, -0.15794431005496007, t43 * 0.0044554451455134335));
+        let t58 = fma(t51, 0.0020881186486960903, t45 * -0.0003571574743600769);
+        let t59 = fma(t57, -0.13620443776353558, t58);
+        let t60 = fma(t57, -0.0020881186486960903, fma(t51, 0.15794431005496007, t45 * -0.0044554451455134335));
+        let t61 = fma(t57, -0.0003571574743600769, fma(t51, 0.0044554451455134335, t45 * -0.13841073648711544));
+        let t62 = fma(t47, t60, fma(t41, t61, fma(-coupling_x2, coupling_z2, t38)));
+        let t63 = fma(-t53, t59, t62);
         let t64 = fma(t49, -0.0020881186486960903, t43 * 0.0003571574743600769);
         let t65 = fma(t55, -0.13620443776353558, t64);
-        let t66 = fma(t57, -0.0003571574743600769, fma(t51, 0.0044554451455134335, t45 * -0.13841073648711544));
-        let t67 = fma(t57, -0.0020881186486960903, fma(t51, 0.15794431005496007, t45 * -0.0044554451455134335));
-        let t68 = fma(t51, 0.0020881186486960903, t45 * -0.0003571574743600769);
-        let t69 = fma(t57, -0.13620443776353558, t68);
-        let t70 = fma(reduced_force_y, 0.0044554451455134335, reduced_force_x * 0.13841073648711544);
-        let t71 = fma(reduced_force_z, 0.0003571574743600769, t70);
-        let t72 = fma(reduced_force_y, 0.15794431005496007, reduced_force_x * 0.0044554451455134335);
-        let t73 = fma(reduced_force_z, 0.0020881186486960903, t72);
-        let t74 = fma(reduced_force_y, 0.0020881186486960903, reduced_force_x * 0.0003571574743600769);
-        let t75 = fma(reduced_force_z, 0.13620443776353558, t74);
-        let t76 = fma(t47, t59, fma(t41, t58, fma(-coupling_x2, coupling_x2, t34)));
-        let t77 = fma(-t53, t61, t76);
-        let t78 = fma(t49, t63, fma(-t43, t62, fma(-coupling_y2, coupling_y2, t35)));
-        let t79 = fma(t55, t65, t78);
-        let t80 = fma(-t51, t67, fma(t45, t66, fma(-coupling_z2, coupling_z2, t36)));
-        let t81 = fma(t57, t69, t80);
-        let t82 = fma(t49, t67, fma(-t43, t66, fma(-coupling_y2, coupling_z2, t37)));
-        let t83 = fma(t55, t69, t82);
-        let t84 = fma(t47, t67, fma(t41, t66, fma(-coupling_x2, coupling_z2, t38)));
-        let t85 = fma(-t53, t69, t84);
-        let t86 = fma(t47, t63, fma(t41, t62, fma(-coupling_x2, coupling_y2, t39)));
-        let t87 = fma(-t53, t65, t86);
-        let t88 = fma(-t53, t75, fma(t47, t73, fma(t41, t71, reduced_moment_x)));
-        let t89 = fma(t55, t75, fma(t49, t73, fma(-t43, t71, reduced_moment_y)));
-        let t90 = fma(t57, t75, fma(-t51, t73, fma(t45, t71, reduced_moment_z)));
-        let t91 = fma(-t83, t83, t79 * t81);
-        let t92 = fma(-t79, t85, t83 * t87);
-        let t93 = fma(-t81, t87, t83 * t85);
-        let inverse_determinant = 1.0 / fma(t85, t92, fma(t87, t93, t77 * t91));
-        let t94 = fma(-t77, t83, t85 * t87) * inverse_determinant;
-        let t95 = t92 * inverse_determinant;
-        let t96 = t93 * inverse_determinant;
-        let angular_acceleration_x = fma(t90, t95, fma(t89, t96, t88 * (t91 * inverse_determinant)));
-        let angular_acceleration_y = fma(t89, fma(-t85, t85, t77 * t81) * inverse_determinant, t88 * t96);
-        let angular_acceleration_y = fma(t90, t94, angular_acceleration_y);
-        let angular_acceleration_z = fma(t90, fma(-t87, t87, t77 * t79) * inverse_determinant, fma(t89, t94, t88 * t95));
-        let acceleration_x = fma(-t62, angular_acceleration_y, fma(-t58, angular_acceleration_x, t71));
-        let acceleration_x = fma(-t66, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t63, angular_acceleration_y, fma(-t59, angular_acceleration_x, t73));
-        let acceleration_y = fma(-t67, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t61, angular_acceleration_x, t75));
-        let acceleration_z = fma(-t69, angular_acceleration_z, acceleration_z);
+        let t66 = fma(t55, -0.0020881186486960903, fma(t49, -0.15794431005496007, t43 * 0.0044554451455134335));
+        let t67 = fma(t55, -0.0003571574743600769, fma(t49, -0.0044554451455134335, t43 * 0.13841073648711544));
+        let t68 = fma(t49, t66, fma(-t43, t67, fma(-coupling_y2, coupling_y2, t35)));
+        let t69 = fma(t55, t65, t68);
+        let t70 = fma(t49, t60, fma(-t43, t61, fma(-coupling_y2, coupling_z2, t37)));
+        let t71 = fma(t55, t59, t70);
+        let t72 = fma(t47, t66, fma(t41, t67, fma(-coupling_x2, coupling_y2, t39)));
+        let t73 = fma(-t53, t65, t72);
+        let t74 = fma(-t69, t63, t71 * t73);
+        let t75 = fma(-t51, t60, fma(t45, t61, fma(-coupling_z2, coupling_z2, t36)));
+        let t76 = fma(t57, t59, t75);
+        let t77 = fma(-t76, t73, t71 * t63);
+        let t78 = fma(t47, -0.0020881186486960903, t41 * -0.0003571574743600769);
+        let t79 = fma(t53, 0.13620443776353558, t78);
+        let t80 = fma(t53, 0.0020881186486960903, fma(t47, -0.15794431005496007, t41 * -0.0044554451455134335));
+        let t81 = fma(t53, 0.0003571574743600769, fma(t47, -0.0044554451455134335, t41 * -0.13841073648711544));
+        let t82 = fma(t47, t80, fma(t41, t81, fma(-coupling_x2, coupling_x2, t34)));
+        let t83 = fma(-t53, t79, t82);
+        let t84 = fma(-t71, t71, t69 * t76);
+        let inverse_determinant = 1.0 / fma(t63, t74, fma(t73, t77, t83 * t84));
+        let t85 = fma(reduced_force_y, 0.0020881186486960903, reduced_force_x * 0.0003571574743600769);
+        let t86 = fma(reduced_force_z, 0.13620443776353558, t85);
+        let t87 = fma(reduced_force_y, 0.15794431005496007, reduced_force_x * 0.0044554451455134335);
+        let t88 = fma(reduced_force_z, 0.0020881186486960903, t87);
+        let t89 = fma(reduced_force_y, 0.0044554451455134335, reduced_force_x * 0.13841073648711544);
+        let t90 = fma(reduced_force_z, 0.0003571574743600769, t89);
+        let t91 = fma(t57, t86, fma(-t51, t88, fma(t45, t90, reduced_moment_z)));
+        let t92 = t74 * inverse_determinant;
+        let t93 = fma(t55, t86, fma(t49, t88, fma(-t43, t90, reduced_moment_y)));
+        let t94 = t77 * inverse_determinant;
+        let t95 = fma(-t53, t86, fma(t47, t88, fma(t41, t90, reduced_moment_x)));
+        let angular_acceleration_x = fma(t91, t92, fma(t93, t94, t95 * (t84 * inverse_determinant)));
+        let t96 = fma(-t83, t71, t63 * t73) * inverse_determinant;
+        let angular_acceleration_y = fma(t93, fma(-t63, t63, t83 * t76) * inverse_determinant, t95 * t94);
+        let angular_acceleration_y = fma(t91, t96, angular_acceleration_y);
+        let angular_acceleration_z = fma(t91, fma(-t73, t73, t83 * t69) * inverse_determinant, fma(t93, t96, t95 * t92));
+        let acceleration_x = fma(-t67, angular_acceleration_y, fma(-t81, angular_acceleration_x, t90));
+        let acceleration_x = fma(-t61, angular_acceleration_z, acceleration_x);
+        let acceleration_y = fma(-t66, angular_acceleration_y, fma(-t80, angular_acceleration_x, t88));
+        let acceleration_y = fma(-t60, angular_acceleration_z, acceleration_y);
+        let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t79, angular_acceleration_x, t86));
+        let acceleration_z = fma(-t59, angular_acceleration_z, acceleration_z);
 
         // Modal accelerations (18 operations: 18 multiply-add)
         let t97 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
@@ -926,7 +926,7 @@ const _: () = {
                     coupling_y2, coupling_z2, 0.0, 0.0, 1.0,
                 ],
             ],
-            [t7, t8, t9, t19, t20, t21, modal_quadratic0, modal_quadratic1, modal_quadratic2],
+            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1, modal_quadratic2],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z, t99, t102, t105,
@@ -1019,36 +1019,36 @@ const _: () = {
         let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
 
         // Twice the energy: v · P + ω · L + q̇ · p (83 operations: 49 multiply-add, 21 multiply, 13 add)
-        let t1 = fma(7.3591122239340905, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(7.3591122239340905, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(7.3591122239340905, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(-0.25776611797120724, q_dot1, fma(-0.06409007611640456, q_dot0, t1));
-        let t5 = fma(-0.17297569884952893, q_dot1, fma(-0.9001934196050294, q_dot0, t2));
-        let t6 = fma(-0.05794438109558275, q_dot1, fma(-0.10812284215722648, q_dot0, t3));
-        let t7 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t8 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t9 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t10 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t11 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let t12 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
-        let t13 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
-        let t14 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
-        let t15 = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
-        let t16 = fma(velocity_y, fma(-0.42481972953070996, q_dot2, t5), velocity_x * fma(-0.23893014622917852, q_dot2, t4));
-        let t17 = fma(omega_z, t15 + (t9 + t12), fma(omega_y, t14 + (t8 + t11), omega_x * (t13 + (t7 + t10))));
-        let t18 = fma(velocity_z, fma(0.02522646067793359, q_dot2, t6), t16) + t17;
         let modal_momentum0 = fma(-0.9001934196050294, velocity_y, -0.06409007611640456 * velocity_x);
-        let t19 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
-        let modal_momentum0 = q_dot0 + (fma(-0.10812284215722648, velocity_z, modal_momentum0) + t19);
+        let t1 = fma(omega_z, coupling_z0, fma(omega_y, coupling_y0, omega_x * coupling_x0));
+        let modal_momentum0 = q_dot0 + (fma(-0.10812284215722648, velocity_z, modal_momentum0) + t1);
         let modal_momentum1 = fma(-0.17297569884952893, velocity_y, -0.25776611797120724 * velocity_x);
-        let t20 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
-        let modal_momentum1 = q_dot1 + (fma(-0.05794438109558275, velocity_z, modal_momentum1) + t20);
-        let t21 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t18));
+        let t2 = fma(omega_z, coupling_z1, fma(omega_y, coupling_y1, omega_x * coupling_x1));
+        let modal_momentum1 = q_dot1 + (fma(-0.05794438109558275, velocity_z, modal_momentum1) + t2);
         let modal_momentum2 = fma(-0.42481972953070996, velocity_y, -0.23893014622917852 * velocity_x);
-        let t22 = fma(omega_z, coupling_z2, fma(omega_y, coupling_y2, omega_x * coupling_x2));
-        let modal_momentum2 = q_dot2 + (fma(0.02522646067793359, velocity_z, modal_momentum2) + t22);
+        let t3 = fma(omega_z, coupling_z2, fma(omega_y, coupling_y2, omega_x * coupling_x2));
+        let modal_momentum2 = q_dot2 + (fma(0.02522646067793359, velocity_z, modal_momentum2) + t3);
+        let t4 = fma(7.3591122239340905, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-0.05794438109558275, q_dot1, fma(-0.10812284215722648, q_dot0, t4));
+        let t6 = fma(7.3591122239340905, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t7 = fma(-0.17297569884952893, q_dot1, fma(-0.9001934196050294, q_dot0, t6));
+        let t8 = fma(7.3591122239340905, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+        let t9 = fma(-0.25776611797120724, q_dot1, fma(-0.06409007611640456, q_dot0, t8));
+        let t10 = fma(velocity_y, fma(-0.42481972953070996, q_dot2, t7), velocity_x * fma(-0.23893014622917852, q_dot2, t9));
+        let t11 = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
+        let t12 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
+        let t13 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let t14 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
+        let t15 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t16 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t17 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
+        let t18 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
+        let t19 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t20 = fma(omega_y, t14 + (t15 + t16), omega_x * (t17 + (t18 + t19)));
+        let t21 = fma(velocity_z, fma(0.02522646067793359, q_dot2, t5), t10) + fma(omega_z, t11 + (t12 + t13), t20);
+        let t22 = fma(q_dot1, modal_momentum1, fma(q_dot0, modal_momentum0, t21));
 
-        fma(q_dot2, modal_momentum2, t21) * 0.5
+        fma(q_dot2, modal_momentum2, t22) * 0.5
     }
 
     /// Elastic energy.
@@ -1061,11 +1061,11 @@ const _: () = {
         let [q0, q1, q2] = *q;
 
         // Elastic energy (13 operations: 8 multiply-add, 5 multiply)
-        let t1 = fma(0.735813098445183, q2, fma(-0.3709670437145567, q1, 40.97972364521601 * q0));
+        let t1 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
         let t2 = fma(-0.8668418567424443, q2, fma(70.8017180173034, q1, -0.3709670437145567 * q0));
-        let t3 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
+        let t3 = fma(0.735813098445183, q2, fma(-0.3709670437145567, q1, 40.97972364521601 * q0));
 
-        fma(q2, t3, fma(q1, t2, q0 * t1)) * 0.5
+        fma(q2, t1, fma(q1, t2, q0 * t3)) * 0.5
     }
 
     /// Linear momentum.
@@ -1090,14 +1090,14 @@ const _: () = {
 
         // Deformed inertia tensor Θ_rr (18 operations: 15 multiply-add, 3 multiply)
         let t1 = fma(7.3591122239340905, velocity_x, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
-        let t2 = fma(7.3591122239340905, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
-        let t3 = fma(7.3591122239340905, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
-        let t4 = fma(-0.25776611797120724, q_dot1, fma(-0.06409007611640456, q_dot0, t1));
-        let t5 = fma(-0.17297569884952893, q_dot1, fma(-0.9001934196050294, q_dot0, t2));
-        let t6 = fma(-0.05794438109558275, q_dot1, fma(-0.10812284215722648, q_dot0, t3));
+        let t2 = fma(-0.25776611797120724, q_dot1, fma(-0.06409007611640456, q_dot0, t1));
+        let t3 = fma(7.3591122239340905, velocity_y, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t4 = fma(-0.17297569884952893, q_dot1, fma(-0.9001934196050294, q_dot0, t3));
+        let t5 = fma(7.3591122239340905, velocity_z, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t6 = fma(-0.05794438109558275, q_dot1, fma(-0.10812284215722648, q_dot0, t5));
 
         [
-            fma(-0.23893014622917852, q_dot2, t4), fma(-0.42481972953070996, q_dot2, t5),
+            fma(-0.23893014622917852, q_dot2, t2), fma(-0.42481972953070996, q_dot2, t4),
             fma(0.02522646067793359, q_dot2, t6),
         ]
     }
@@ -1185,17 +1185,17 @@ const _: () = {
         let inertia_yz = fma(change_yz, -0.5, 0.13393826984310248);
         let inertia_xz = fma(change_xz, -0.5, -0.41849969519340835);
         let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
-        let t1 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
-        let t2 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
-        let t3 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
-        let t4 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
-        let t5 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
-        let t6 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
-        let t7 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
-        let t8 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
-        let t9 = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
+        let t1 = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
+        let t2 = fma(-velocity_y, first_moment_z, velocity_z * first_moment_y);
+        let t3 = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let t4 = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
+        let t5 = fma(-velocity_z, first_moment_x, velocity_x * first_moment_z);
+        let t6 = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let t7 = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
+        let t8 = fma(-velocity_x, first_moment_y, velocity_y * first_moment_x);
+        let t9 = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
 
-        [t7 + (t1 + t4), t8 + (t2 + t5), t9 + (t3 + t6)]
+        [t1 + (t2 + t3), t4 + (t5 + t6), t7 + (t8 + t9)]
     }
 
     /// Elastic and damping forces, on the left-hand side.

@@ -102,9 +102,9 @@ const _: () = {
         let [omega_x, omega_y, omega_z] = *omega;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (12 operations: 6 multiply-add, 6 multiply)
-        let t1 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
-        let t2 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
-        let t3 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
+        let t1 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
+        let t2 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
+        let t3 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (15 operations: 9 multiply-add, 6 multiply)
         let angular_momentum_x = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
@@ -118,8 +118,8 @@ const _: () = {
         let t6 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
 
         [
-            fma(-omega_z, t2, omega_y * t3), fma(-omega_x, t3, omega_z * t1),
-            fma(-omega_y, t1, omega_x * t2), t4, t5, t6,
+            fma(-omega_z, t1, omega_y * t2), fma(-omega_x, t2, omega_z * t3),
+            fma(-omega_y, t3, omega_x * t1), t4, t5, t6,
         ]
     }
 
@@ -134,9 +134,9 @@ const _: () = {
         let [force_x, force_y, force_z, moment_x, moment_y, moment_z] = *force;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (12 operations: 6 multiply-add, 6 multiply)
-        let t1 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
-        let t2 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
-        let t3 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
+        let t1 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
+        let t2 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
+        let t3 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (15 operations: 9 multiply-add, 6 multiply)
         let angular_momentum_x = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
@@ -150,26 +150,26 @@ const _: () = {
         let t6 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
 
         // Modal forces f - Q_f - K q - D q̇ (6 operations: 6 add)
-        let reduced_force_x = force_x - fma(-omega_z, t2, omega_y * t3);
-        let reduced_force_y = force_y - fma(-omega_x, t3, omega_z * t1);
-        let reduced_force_z = force_z - fma(-omega_y, t1, omega_x * t2);
+        let reduced_force_x = force_x - fma(-omega_z, t1, omega_y * t2);
+        let reduced_force_y = force_y - fma(-omega_x, t2, omega_z * t3);
+        let reduced_force_z = force_z - fma(-omega_y, t3, omega_x * t1);
         let reduced_moment_x = moment_x - t4;
         let reduced_moment_y = moment_y - t5;
         let reduced_moment_z = moment_z - t6;
 
         // Rigid-body accelerations (24 operations: 18 multiply-add, 6 multiply)
-        let t7 = reduced_force_x * 0.21048663088925407;
-        let t8 = reduced_force_y * 0.21048663088925407;
-        let t9 = reduced_force_z * 0.21048663088925407;
-        let t10 = fma(0.3842708618960716, t9, fma(0.06447691727380375, t8, reduced_moment_x));
-        let t11 = fma(0.26448998962819253, t9, fma(-0.06447691727380375, t7, reduced_moment_y));
-        let t12 = fma(-0.26448998962819253, t8, fma(-0.3842708618960716, t7, reduced_moment_z));
-        let angular_acceleration_x = fma(t12, 0.2457312204336307, fma(t11, 0.017596694310493932, t10 * 2.4363638820827616));
-        let angular_acceleration_y = fma(t12, -0.04630183133452206, fma(t11, 0.6983686492386382, t10 * 0.017596694310493932));
-        let angular_acceleration_z = fma(t12, 0.6660313458250491, fma(t11, -0.04630183133452206, t10 * 0.2457312204336307));
-        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t7));
-        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t8));
-        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t9));
+        let t7 = reduced_force_y * 0.21048663088925407;
+        let t8 = reduced_force_x * 0.21048663088925407;
+        let t9 = fma(-0.26448998962819253, t7, fma(-0.3842708618960716, t8, reduced_moment_z));
+        let t10 = reduced_force_z * 0.21048663088925407;
+        let t11 = fma(0.26448998962819253, t10, fma(-0.06447691727380375, t8, reduced_moment_y));
+        let t12 = fma(0.3842708618960716, t10, fma(0.06447691727380375, t7, reduced_moment_x));
+        let angular_acceleration_x = fma(t9, 0.2457312204336307, fma(t11, 0.017596694310493932, t12 * 2.4363638820827616));
+        let angular_acceleration_y = fma(t9, -0.04630183133452206, fma(t11, 0.6983686492386382, t12 * 0.017596694310493932));
+        let angular_acceleration_z = fma(t9, 0.6660313458250491, fma(t11, -0.04630183133452206, t12 * 0.2457312204336307));
+        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t8));
+        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t7));
+        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t10));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
@@ -193,12 +193,12 @@ const _: () = {
         let [force_x, force_y, force_z, moment_x, moment_y, moment_z] = *force;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (12 operations: 6 multiply-add, 6 multiply)
-        let t1 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
-        let t2 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
-        let t3 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
-        let t4 = fma(-omega_z, t2, omega_y * t3);
-        let t5 = fma(-omega_x, t3, omega_z * t1);
-        let t6 = fma(-omega_y, t1, omega_x * t2);
+        let t1 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
+        let t2 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
+        let t3 = fma(-omega_z, t1, omega_y * t2);
+        let t4 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
+        let t5 = fma(-omega_x, t2, omega_z * t4);
+        let t6 = fma(-omega_y, t4, omega_x * t1);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (15 operations: 9 multiply-add, 6 multiply)
         let angular_momentum_x = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
@@ -212,7 +212,7 @@ const _: () = {
         let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
 
         // Modal forces f - Q_f - K q - D q̇ (6 operations: 6 add)
-        let reduced_force_x = force_x - t4;
+        let reduced_force_x = force_x - t3;
         let reduced_force_y = force_y - t5;
         let reduced_force_z = force_z - t6;
         let reduced_moment_x = moment_x - t7;
@@ -220,18 +220,18 @@ const _: () = {
         let reduced_moment_z = moment_z - t9;
 
         // Rigid-body accelerations (24 operations: 18 multiply-add, 6 multiply)
-        let t10 = reduced_force_x * 0.21048663088925407;
-        let t11 = reduced_force_y * 0.21048663088925407;
-        let t12 = reduced_force_z * 0.21048663088925407;
-        let t13 = fma(0.3842708618960716, t12, fma(0.06447691727380375, t11, reduced_moment_x));
-        let t14 = fma(0.26448998962819253, t12, fma(-0.06447691727380375, t10, reduced_moment_y));
-        let t15 = fma(-0.26448998962819253, t11, fma(-0.3842708618960716, t10, reduced_moment_z));
-        let angular_acceleration_x = fma(t15, 0.2457312204336307, fma(t14, 0.017596694310493932, t13 * 2.4363638820827616));
-        let angular_acceleration_y = fma(t15, -0.04630183133452206, fma(t14, 0.6983686492386382, t13 * 0.017596694310493932));
-        let angular_acceleration_z = fma(t15, 0.6660313458250491, fma(t14, -0.04630183133452206, t13 * 0.2457312204336307));
-        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t10));
-        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t11));
-        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t12));
+        let t10 = reduced_force_y * 0.21048663088925407;
+        let t11 = reduced_force_x * 0.21048663088925407;
+        let t12 = fma(-0.26448998962819253, t10, fma(-0.3842708618960716, t11, reduced_moment_z));
+        let t13 = reduced_force_z * 0.21048663088925407;
+        let t14 = fma(0.26448998962819253, t13, fma(-0.06447691727380375, t11, reduced_moment_y));
+        let t15 = fma(0.3842708618960716, t13, fma(0.06447691727380375, t10, reduced_moment_x));
+        let angular_acceleration_x = fma(t12, 0.2457312204336307, fma(t14, 0.017596694310493932, t15 * 2.4363638820827616));
+        let angular_acceleration_y = fma(t12, -0.04630183133452206, fma(t14, 0.6983686492386382, t15 * 0.017596694310493932));
+        let angular_acceleration_z = fma(t12, 0.6660313458250491, fma(t14, -0.04630183133452206, t15 * 0.2457312204336307));
+        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t11));
+        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t10));
+        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t13));
 
         (
             [
@@ -251,7 +251,7 @@ const _: () = {
                     1.6133596019654122,
                 ],
             ],
-            [t4, t5, t6, t7, t8, t9],
+            [t3, t5, t6, t7, t8, t9],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
@@ -270,18 +270,18 @@ const _: () = {
         let [omega_x, omega_y, omega_z] = *omega;
 
         // Twice the energy: v · P + ω · L + q̇ · p (35 operations: 19 multiply-add, 12 multiply, 4 add)
-        let t1 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
+        let t1 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
         let t2 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
-        let t3 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
-        let t4 = fma(-0.06447691727380375, velocity_y, -0.3842708618960716 * velocity_z);
-        let t5 = fma(-0.26448998962819253, velocity_z, 0.06447691727380375 * velocity_x);
-        let t6 = fma(0.3842708618960716, velocity_x, 0.26448998962819253 * velocity_y);
-        let t7 = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
+        let t3 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
+        let t4 = fma(velocity_y, fma(4.750895559377081, velocity_y, t2), velocity_x * fma(4.750895559377081, velocity_x, t3));
+        let t5 = fma(0.3842708618960716, velocity_x, 0.26448998962819253 * velocity_y);
+        let t6 = fma(0.11314727603440698, omega_y, -0.1624722586673698 * omega_x);
+        let t7 = fma(-0.26448998962819253, velocity_z, 0.06447691727380375 * velocity_x);
         let t8 = fma(1.4552003036948755, omega_y, 0.00010941190558857311 * omega_x);
-        let t9 = fma(0.11314727603440698, omega_y, -0.1624722586673698 * omega_x);
-        let t10 = fma(velocity_y, fma(4.750895559377081, velocity_y, t2), velocity_x * fma(4.750895559377081, velocity_x, t1));
-        let t11 = fma(omega_y, t5 + fma(0.11314727603440698, omega_z, t8), omega_x * (t4 + fma(-0.1624722586673698, omega_z, t7)));
-        let t12 = fma(velocity_z, fma(4.750895559377081, velocity_z, t3), t10) + fma(omega_z, t6 + fma(1.6133596019654122, omega_z, t9), t11);
+        let t9 = fma(-0.06447691727380375, velocity_y, -0.3842708618960716 * velocity_z);
+        let t10 = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
+        let t11 = fma(omega_y, t7 + fma(0.11314727603440698, omega_z, t8), omega_x * (t9 + fma(-0.1624722586673698, omega_z, t10)));
+        let t12 = fma(velocity_z, fma(4.750895559377081, velocity_z, t1), t4) + fma(omega_z, t5 + fma(1.6133596019654122, omega_z, t6), t11);
 
         t12 * 0.5
     }
@@ -330,15 +330,15 @@ const _: () = {
 
         // Deformed inertia tensor Θ_rr (18 operations: 9 multiply-add, 6 multiply, 3 add)
         let t1 = fma(-0.06447691727380375, velocity_y, -0.3842708618960716 * velocity_z);
-        let t2 = fma(-0.26448998962819253, velocity_z, 0.06447691727380375 * velocity_x);
-        let t3 = fma(0.3842708618960716, velocity_x, 0.26448998962819253 * velocity_y);
-        let t4 = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
-        let t5 = fma(1.4552003036948755, omega_y, 0.00010941190558857311 * omega_x);
+        let t2 = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
+        let t3 = fma(-0.26448998962819253, velocity_z, 0.06447691727380375 * velocity_x);
+        let t4 = fma(1.4552003036948755, omega_y, 0.00010941190558857311 * omega_x);
+        let t5 = fma(0.3842708618960716, velocity_x, 0.26448998962819253 * velocity_y);
         let t6 = fma(0.11314727603440698, omega_y, -0.1624722586673698 * omega_x);
 
         [
-            t1 + fma(-0.1624722586673698, omega_z, t4), t2 + fma(0.11314727603440698, omega_z, t5),
-            t3 + fma(1.6133596019654122, omega_z, t6),
+            t1 + fma(-0.1624722586673698, omega_z, t2), t3 + fma(0.11314727603440698, omega_z, t4),
+            t5 + fma(1.6133596019654122, omega_z, t6),
         ]
     }
 

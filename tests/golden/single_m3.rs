@@ -242,12 +242,12 @@ const _: () = {
         let inertia_xy = 0.3309048 + change_xy * -0.5;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (39 operations: 24 multiply, 15 add)
-        let t1 = 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
-        let t2 = 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
-        let t3 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
-        let t4 = t1 * 2.0 + (omega_y * first_moment_z - omega_z * first_moment_y);
-        let t5 = t2 * 2.0 + (omega_z * first_moment_x - omega_x * first_moment_z);
-        let t6 = t3 * 2.0 + (omega_x * first_moment_y - omega_y * first_moment_x);
+        let t1 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
+        let t2 = t1 * 2.0 + (omega_x * first_moment_y - omega_y * first_moment_x);
+        let t3 = 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
+        let t4 = t3 * 2.0 + (omega_z * first_moment_x - omega_x * first_moment_z);
+        let t5 = 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
+        let t6 = t5 * 2.0 + (omega_y * first_moment_z - omega_z * first_moment_y);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (96 operations: 54 multiply, 42 add)
         let rate_trace = q_dot0 * moment_trace0 + q_dot1 * moment_trace1 + q_dot2 * moment_trace2;
@@ -260,53 +260,53 @@ const _: () = {
         let modal_spin_y = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
         let modal_spin_z = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
         let angular_momentum_x = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
-        let angular_momentum_y = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
-        let angular_momentum_z = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = omega_x * 2.0;
-        let t8 = omega_y * 2.0;
-        let t9 = omega_z * 2.0;
-        let t10 = (rate_yy + rate_zz) * t7 - omega_y * rate_xy - omega_z * rate_xz;
-        let t11 = (rate_trace - rate_yy) * t8 - omega_x * rate_xy - omega_z * rate_yz;
-        let t12 = (rate_trace - rate_zz) * t9 - (omega_x * rate_xz + omega_y * rate_yz);
-        let t13 = omega_y * angular_momentum_z - omega_z * angular_momentum_y + t10;
-        let t14 = omega_z * angular_momentum_x - omega_x * angular_momentum_z + t11;
-        let t15 = omega_x * angular_momentum_y - omega_y * angular_momentum_x + t12;
+        let t8 = (rate_yy + rate_zz) * t7 - omega_y * rate_xy - omega_z * rate_xz;
+        let t9 = omega_y * angular_momentum_z - omega_z * angular_momentum_y + t8;
+        let t10 = omega_y * 2.0;
+        let t11 = (rate_trace - rate_yy) * t10 - omega_x * rate_xy - omega_z * rate_yz;
+        let t12 = omega_z * angular_momentum_x - omega_x * angular_momentum_z + t11;
+        let t13 = omega_z * 2.0;
+        let t14 = (rate_trace - rate_zz) * t13 - (omega_x * rate_xz + omega_y * rate_yz);
+        let t15 = omega_x * angular_momentum_y - omega_y * angular_momentum_x + t14;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (87 operations: 51 multiply, 36 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = moment_yy0 * t20 - moment_trace0 * t19 + moment_zz0 * t21 + moment_xy0 * t22;
         let whirl_x0 = 0.05850565 * q_dot1 + 0.12657958 * q_dot2;
-        let modal_quadratic0 = modal_quadratic0 + moment_xz0 * t23 + moment_yz0 * t24 + t7 * whirl_x0;
         let whirl_y0 = -0.19366348 * q_dot1 - 0.08698427 * q_dot2;
         let whirl_z0 = -0.1350381 * q_dot1 + 0.023079813 * q_dot2;
-        let modal_quadratic0 = modal_quadratic0 + t8 * whirl_y0 + t9 * whirl_z0;
-        let modal_quadratic1 = moment_yy1 * t20 - moment_trace1 * t19 + moment_zz1 * t21 + moment_xy1 * t22;
+        let t16 = omega_y * omega_y;
+        let t17 = omega_x * omega_x;
+        let t18 = t16 - t17;
+        let t19 = omega_z * omega_z;
+        let t20 = t16 + t19;
+        let t21 = t19 - t17;
+        let t22 = omega_x * omega_y;
+        let modal_quadratic0 = moment_yy0 * t18 - moment_trace0 * t20 + moment_zz0 * t21 + moment_xy0 * t22;
+        let t23 = omega_x * omega_z;
+        let t24 = omega_y * omega_z;
+        let modal_quadratic0 = modal_quadratic0 + moment_xz0 * t23 + moment_yz0 * t24 + t7 * whirl_x0;
+        let modal_quadratic0 = modal_quadratic0 + t10 * whirl_y0 + t13 * whirl_z0;
         let whirl_x1 = -0.05850565 * q_dot0 + 0.16740711 * q_dot2;
-        let modal_quadratic1 = modal_quadratic1 + moment_xz1 * t23 + moment_yz1 * t24 + t7 * whirl_x1;
         let whirl_y1 = 0.19366348 * q_dot0 - 0.032320656 * q_dot2;
         let whirl_z1 = 0.1350381 * q_dot0 + 0.0045365617 * q_dot2;
-        let modal_quadratic1 = modal_quadratic1 + t8 * whirl_y1 + t9 * whirl_z1;
-        let modal_quadratic2 = moment_yy2 * t20 - moment_trace2 * t19 + moment_zz2 * t21 + moment_xy2 * t22;
+        let modal_quadratic1 = moment_yy1 * t18 - moment_trace1 * t20 + moment_zz1 * t21 + moment_xy1 * t22;
+        let modal_quadratic1 = modal_quadratic1 + moment_xz1 * t23 + moment_yz1 * t24 + t7 * whirl_x1;
+        let modal_quadratic1 = modal_quadratic1 + t10 * whirl_y1 + t13 * whirl_z1;
         let whirl_x2 = -0.12657958 * q_dot0 - 0.16740711 * q_dot1;
-        let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t23 + moment_yz2 * t24 + t7 * whirl_x2;
         let whirl_y2 = 0.08698427 * q_dot0 + 0.032320656 * q_dot1;
         let whirl_z2 = -0.023079813 * q_dot0 - 0.0045365617 * q_dot1;
-        let modal_quadratic2 = modal_quadratic2 + t8 * whirl_y2 + t9 * whirl_z2;
+        let modal_quadratic2 = moment_yy2 * t18 - moment_trace2 * t20 + moment_zz2 * t21 + moment_xy2 * t22;
+        let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t23 + moment_yz2 * t24 + t7 * whirl_x2;
+        let modal_quadratic2 = modal_quadratic2 + t10 * whirl_y2 + t13 * whirl_z2;
 
         [
-            omega_y * t6 - omega_z * t5, omega_z * t4 - omega_x * t6, omega_x * t5 - omega_y * t4,
-            t13, t14, t15, modal_quadratic0, modal_quadratic1, modal_quadratic2,
+            omega_y * t2 - omega_z * t4, omega_z * t6 - omega_x * t2, omega_x * t4 - omega_y * t6,
+            t9, t12, t15, modal_quadratic0, modal_quadratic1, modal_quadratic2,
         ]
     }
 
@@ -377,12 +377,12 @@ const _: () = {
         let inertia_xy = 0.3309048 + change_xy * -0.5;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (39 operations: 24 multiply, 15 add)
-        let t1 = 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
-        let t2 = 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
-        let t3 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
-        let t4 = t1 * 2.0 + (omega_y * first_moment_z - omega_z * first_moment_y);
-        let t5 = t2 * 2.0 + (omega_z * first_moment_x - omega_x * first_moment_z);
-        let t6 = t3 * 2.0 + (omega_x * first_moment_y - omega_y * first_moment_x);
+        let t1 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
+        let t2 = t1 * 2.0 + (omega_x * first_moment_y - omega_y * first_moment_x);
+        let t3 = 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
+        let t4 = t3 * 2.0 + (omega_z * first_moment_x - omega_x * first_moment_z);
+        let t5 = 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
+        let t6 = t5 * 2.0 + (omega_y * first_moment_z - omega_z * first_moment_y);
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (96 operations: 54 multiply, 42 add)
         let rate_trace = q_dot0 * moment_trace0 + q_dot1 * moment_trace1 + q_dot2 * moment_trace2;
@@ -395,56 +395,56 @@ const _: () = {
         let modal_spin_y = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
         let modal_spin_z = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
         let angular_momentum_x = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
-        let angular_momentum_y = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
-        let angular_momentum_z = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t7 = omega_x * 2.0;
-        let t8 = omega_y * 2.0;
-        let t9 = omega_z * 2.0;
-        let t10 = (rate_yy + rate_zz) * t7 - omega_y * rate_xy - omega_z * rate_xz;
-        let t11 = (rate_trace - rate_yy) * t8 - omega_x * rate_xy - omega_z * rate_yz;
-        let t12 = (rate_trace - rate_zz) * t9 - (omega_x * rate_xz + omega_y * rate_yz);
-        let t13 = omega_y * angular_momentum_z - omega_z * angular_momentum_y + t10;
-        let t14 = omega_z * angular_momentum_x - omega_x * angular_momentum_z + t11;
-        let t15 = omega_x * angular_momentum_y - omega_y * angular_momentum_x + t12;
+        let t8 = (rate_yy + rate_zz) * t7 - omega_y * rate_xy - omega_z * rate_xz;
+        let t9 = omega_y * angular_momentum_z - omega_z * angular_momentum_y + t8;
+        let t10 = omega_y * 2.0;
+        let t11 = (rate_trace - rate_yy) * t10 - omega_x * rate_xy - omega_z * rate_yz;
+        let t12 = omega_z * angular_momentum_x - omega_x * angular_momentum_z + t11;
+        let t13 = omega_z * 2.0;
+        let t14 = (rate_trace - rate_zz) * t13 - (omega_x * rate_xz + omega_y * rate_yz);
+        let t15 = omega_x * angular_momentum_y - omega_y * angular_momentum_x + t14;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (87 operations: 51 multiply, 36 add)
-        let t16 = omega_x * omega_x;
-        let t17 = omega_y * omega_y;
-        let t18 = omega_z * omega_z;
-        let t19 = t17 + t18;
-        let t20 = t17 - t16;
-        let t21 = t18 - t16;
-        let t22 = omega_x * omega_y;
-        let t23 = omega_x * omega_z;
-        let t24 = omega_y * omega_z;
-        let modal_quadratic0 = moment_yy0 * t20 - moment_trace0 * t19 + moment_zz0 * t21 + moment_xy0 * t22;
         let whirl_x0 = 0.05850565 * q_dot1 + 0.12657958 * q_dot2;
-        let modal_quadratic0 = modal_quadratic0 + moment_xz0 * t23 + moment_yz0 * t24 + t7 * whirl_x0;
         let whirl_y0 = -0.19366348 * q_dot1 - 0.08698427 * q_dot2;
         let whirl_z0 = -0.1350381 * q_dot1 + 0.023079813 * q_dot2;
-        let modal_quadratic0 = modal_quadratic0 + t8 * whirl_y0 + t9 * whirl_z0;
-        let modal_quadratic1 = moment_yy1 * t20 - moment_trace1 * t19 + moment_zz1 * t21 + moment_xy1 * t22;
+        let t16 = omega_y * omega_y;
+        let t17 = omega_x * omega_x;
+        let t18 = t16 - t17;
+        let t19 = omega_z * omega_z;
+        let t20 = t16 + t19;
+        let t21 = t19 - t17;
+        let t22 = omega_x * omega_y;
+        let modal_quadratic0 = moment_yy0 * t18 - moment_trace0 * t20 + moment_zz0 * t21 + moment_xy0 * t22;
+        let t23 = omega_x * omega_z;
+        let t24 = omega_y * omega_z;
+        let modal_quadratic0 = modal_quadratic0 + moment_xz0 * t23 + moment_yz0 * t24 + t7 * whirl_x0;
+        let modal_quadratic0 = modal_quadratic0 + t10 * whirl_y0 + t13 * whirl_z0;
         let whirl_x1 = -0.05850565 * q_dot0 + 0.16740711 * q_dot2;
-        let modal_quadratic1 = modal_quadratic1 + moment_xz1 * t23 + moment_yz1 * t24 + t7 * whirl_x1;
         let whirl_y1 = 0.19366348 * q_dot0 - 0.032320656 * q_dot2;
         let whirl_z1 = 0.1350381 * q_dot0 + 0.0045365617 * q_dot2;
-        let modal_quadratic1 = modal_quadratic1 + t8 * whirl_y1 + t9 * whirl_z1;
-        let modal_quadratic2 = moment_yy2 * t20 - moment_trace2 * t19 + moment_zz2 * t21 + moment_xy2 * t22;
+        let modal_quadratic1 = moment_yy1 * t18 - moment_trace1 * t20 + moment_zz1 * t21 + moment_xy1 * t22;
+        let modal_quadratic1 = modal_quadratic1 + moment_xz1 * t23 + moment_yz1 * t24 + t7 * whirl_x1;
+        let modal_quadratic1 = modal_quadratic1 + t10 * whirl_y1 + t13 * whirl_z1;
         let whirl_x2 = -0.12657958 * q_dot0 - 0.16740711 * q_dot1;
-        let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t23 + moment_yz2 * t24 + t7 * whirl_x2;
         let whirl_y2 = 0.08698427 * q_dot0 + 0.032320656 * q_dot1;
         let whirl_z2 = -0.023079813 * q_dot0 - 0.0045365617 * q_dot1;
-        let modal_quadratic2 = modal_quadratic2 + t8 * whirl_y2 + t9 * whirl_z2;
+        let modal_quadratic2 = moment_yy2 * t18 - moment_trace2 * t20 + moment_zz2 * t21 + moment_xy2 * t22;
+        let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t23 + moment_yz2 * t24 + t7 * whirl_x2;
+        let modal_quadratic2 = modal_quadratic2 + t10 * whirl_y2 + t13 * whirl_z2;
 
         // Modal forces f - Q_f - K q - D q̇ (33 operations: 12 multiply, 21 add)
         let t25 = 41.17243 * q0 - 0.6331419 * q1 - 0.8200979 * q2 + 0.41172427 * q_dot0;
-        let t26 = -0.6331419 * q0 + 71.420616 * q1 + 0.62786365 * q2 + 0.71420616 * q_dot1;
-        let t27 = -0.8200979 * q0 + 0.62786365 * q1 + 100.87896 * q2 + 1.0087897 * q_dot2;
         let modal_residual0 = modal_force0 - modal_quadratic0 - t25;
+        let t26 = -0.6331419 * q0 + 71.420616 * q1 + 0.62786365 * q2 + 0.71420616 * q_dot1;
         let modal_residual1 = modal_force1 - modal_quadratic1 - t26;
+        let t27 = -0.8200979 * q0 + 0.62786365 * q1 + 100.87896 * q2 + 1.0087897 * q_dot2;
         let modal_residual2 = modal_force2 - modal_quadratic2 - t27;
 
         // Elimination of the modal accelerations (123 operations: 63 multiply, 60 add)
@@ -469,15 +469,15 @@ const _: () = {
         let t46 = first_moment_x - 0.93608946 * coupling_y0 - 0.5361588 * coupling_y1;
         let t47 = t46 - 0.075348966 * coupling_y2;
         let t48 = -0.93608946 * coupling_z0 - 0.5361588 * coupling_z1 - 0.075348966 * coupling_z2;
-        let reduced_force_x = force_x - (omega_y * t6 - omega_z * t5) - 0.6962052 * modal_residual0;
+        let reduced_force_x = force_x - (omega_y * t2 - omega_z * t4) - 0.6962052 * modal_residual0;
         let reduced_force_x = reduced_force_x - -0.4649262 * modal_residual1 - 0.42337617 * modal_residual2;
-        let reduced_force_y = force_y - (omega_z * t4 - omega_x * t6) - 0.3785621 * modal_residual0;
+        let reduced_force_y = force_y - (omega_z * t6 - omega_x * t2) - 0.3785621 * modal_residual0;
         let reduced_force_y = reduced_force_y - 0.0741744 * modal_residual1 - -0.45901504 * modal_residual2;
-        let reduced_force_z = force_z - (omega_x * t5 - omega_y * t4) - -0.93608946 * modal_residual0;
+        let reduced_force_z = force_z - (omega_x * t4 - omega_y * t6) - -0.93608946 * modal_residual0;
         let reduced_force_z = reduced_force_z - -0.5361588 * modal_residual1 - -0.075348966 * modal_residual2;
-        let reduced_moment_x = moment_x - t13 - coupling_x0 * modal_residual0 - coupling_x1 * modal_residual1;
+        let reduced_moment_x = moment_x - t9 - coupling_x0 * modal_residual0 - coupling_x1 * modal_residual1;
         let reduced_moment_x = reduced_moment_x - coupling_x2 * modal_residual2;
-        let reduced_moment_y = moment_y - t14 - coupling_y0 * modal_residual0 - coupling_y1 * modal_residual1;
+        let reduced_moment_y = moment_y - t12 - coupling_y0 * modal_residual0 - coupling_y1 * modal_residual1;
         let reduced_moment_y = reduced_moment_y - coupling_y2 * modal_residual2;
         let reduced_moment_z = moment_z - t15 - coupling_z0 * modal_residual0 - coupling_z1 * modal_residual1;
         let reduced_moment_z = reduced_moment_z - coupling_z2 * modal_residual2;
@@ -486,44 +486,44 @@ const _: () = {
         let t49 = t34 * -0.10799764 + t40 * -0.00057495653 + t45 * -0.005239896;
         let t50 = t34 * -0.00057495653 + t40 * -0.10218003 + t45 * -0.0041137724;
         let t51 = t34 * 0.005239896 + t40 * 0.0041137724 + t45 * 0.11163478;
-        let t52 = t36 * 0.10799764 + t41 * -0.00057495653 + t47 * 0.005239896;
-        let t53 = t36 * 0.00057495653 + t41 * -0.10218003 + t47 * 0.0041137724;
-        let t54 = t36 * -0.005239896 + t41 * 0.0041137724 + t47 * -0.11163478;
-        let t55 = t38 * -0.10799764 + t43 * 0.00057495653 + t48 * 0.005239896;
-        let t56 = t38 * -0.00057495653 + t43 * 0.10218003 + t48 * 0.0041137724;
-        let t57 = t38 * 0.005239896 + t43 * -0.0041137724 + t48 * -0.11163478;
-        let t58 = reduced_force_x * 0.10799764 + reduced_force_y * 0.00057495653;
-        let t59 = t58 + reduced_force_z * -0.005239896;
-        let t60 = reduced_force_x * 0.00057495653 + reduced_force_y * 0.10218003;
-        let t61 = t60 + reduced_force_z * -0.0041137724;
-        let t62 = reduced_force_x * -0.005239896 + reduced_force_y * -0.0041137724;
-        let t63 = t62 + reduced_force_z * 0.11163478;
-        let t64 = t28 - coupling_x2 * coupling_x2 + t34 * t49 + t40 * t50 - t45 * t51;
-        let t65 = t29 - coupling_y2 * coupling_y2 - t36 * t52 + t41 * t53 + t47 * t54;
-        let t66 = t30 - coupling_z2 * coupling_z2 + t38 * t55 - t43 * t56 + t48 * t57;
-        let t67 = t31 - coupling_y2 * coupling_z2 - t36 * t55 + t41 * t56 + t47 * t57;
-        let t68 = t32 - coupling_x2 * coupling_z2 + t34 * t55 + t40 * t56 - t45 * t57;
-        let t69 = t33 - coupling_x2 * coupling_y2 + t34 * t52 + t40 * t53 - t45 * t54;
-        let t70 = reduced_moment_x + t34 * t59 + t40 * t61 - t45 * t63;
-        let t71 = reduced_moment_y - t36 * t59 + t41 * t61 + t47 * t63;
-        let t72 = reduced_moment_z + t38 * t59 - t43 * t61 + t48 * t63;
-        let t73 = t65 * t66 - t67 * t67;
-        let t74 = t67 * t69 - t65 * t68;
-        let t75 = t67 * t68 - t66 * t69;
-        let inverse_determinant = 1.0 / (t64 * t73 + t69 * t75 + t68 * t74);
-        let t76 = (t68 * t69 - t64 * t67) * inverse_determinant;
-        let t77 = t74 * inverse_determinant;
-        let t78 = t75 * inverse_determinant;
-        let angular_acceleration_x = t70 * (t73 * inverse_determinant) + t71 * t78 + t72 * t77;
-        let angular_acceleration_y = t70 * t78 + t71 * ((t64 * t66 - t68 * t68) * inverse_determinant);
-        let angular_acceleration_y = angular_acceleration_y + t72 * t76;
-        let angular_acceleration_z = t70 * t77 + t71 * t76 + t72 * ((t64 * t65 - t69 * t69) * inverse_determinant);
-        let acceleration_x = t59 - t49 * angular_acceleration_x - t52 * angular_acceleration_y;
-        let acceleration_x = acceleration_x - t55 * angular_acceleration_z;
-        let acceleration_y = t61 - t50 * angular_acceleration_x - t53 * angular_acceleration_y;
-        let acceleration_y = acceleration_y - t56 * angular_acceleration_z;
-        let acceleration_z = t63 - t51 * angular_acceleration_x - t54 * angular_acceleration_y;
-        let acceleration_z = acceleration_z - t57 * angular_acceleration_z;
+        let t52 = t28 - coupling_x2 * coupling_x2 + t34 * t49 + t40 * t50 - t45 * t51;
+        let t53 = t36 * 0.10799764 + t41 * -0.00057495653 + t47 * 0.005239896;
+        let t54 = t36 * 0.00057495653 + t41 * -0.10218003 + t47 * 0.0041137724;
+        let t55 = t36 * -0.005239896 + t41 * 0.0041137724 + t47 * -0.11163478;
+        let t56 = t29 - coupling_y2 * coupling_y2 - t36 * t53 + t41 * t54 + t47 * t55;
+        let t57 = t38 * -0.10799764 + t43 * 0.00057495653 + t48 * 0.005239896;
+        let t58 = t38 * -0.00057495653 + t43 * 0.10218003 + t48 * 0.0041137724;
+        let t59 = t38 * 0.005239896 + t43 * -0.0041137724 + t48 * -0.11163478;
+        let t60 = t30 - coupling_z2 * coupling_z2 + t38 * t57 - t43 * t58 + t48 * t59;
+        let t61 = t31 - coupling_y2 * coupling_z2 - t36 * t57 + t41 * t58 + t47 * t59;
+        let t62 = t56 * t60 - t61 * t61;
+        let t63 = t33 - coupling_x2 * coupling_y2 + t34 * t53 + t40 * t54 - t45 * t55;
+        let t64 = t32 - coupling_x2 * coupling_z2 + t34 * t57 + t40 * t58 - t45 * t59;
+        let t65 = t61 * t64 - t60 * t63;
+        let t66 = t61 * t63 - t56 * t64;
+        let inverse_determinant = 1.0 / (t52 * t62 + t63 * t65 + t64 * t66);
+        let t67 = reduced_force_x * 0.10799764 + reduced_force_y * 0.00057495653;
+        let t68 = t67 + reduced_force_z * -0.005239896;
+        let t69 = reduced_force_x * 0.00057495653 + reduced_force_y * 0.10218003;
+        let t70 = t69 + reduced_force_z * -0.0041137724;
+        let t71 = reduced_force_x * -0.005239896 + reduced_force_y * -0.0041137724;
+        let t72 = t71 + reduced_force_z * 0.11163478;
+        let t73 = reduced_moment_x + t34 * t68 + t40 * t70 - t45 * t72;
+        let t74 = reduced_moment_y - t36 * t68 + t41 * t70 + t47 * t72;
+        let t75 = t65 * inverse_determinant;
+        let t76 = reduced_moment_z + t38 * t68 - t43 * t70 + t48 * t72;
+        let t77 = t66 * inverse_determinant;
+        let angular_acceleration_x = t73 * (t62 * inverse_determinant) + t74 * t75 + t76 * t77;
+        let angular_acceleration_y = t73 * t75 + t74 * ((t52 * t60 - t64 * t64) * inverse_determinant);
+        let t78 = (t64 * t63 - t52 * t61) * inverse_determinant;
+        let angular_acceleration_y = angular_acceleration_y + t76 * t78;
+        let angular_acceleration_z = t73 * t77 + t74 * t78 + t76 * ((t52 * t56 - t63 * t63) * inverse_determinant);
+        let acceleration_x = t68 - t49 * angular_acceleration_x - t53 * angular_acceleration_y;
+        let acceleration_x = acceleration_x - t57 * angular_acceleration_z;
+        let acceleration_y = t70 - t50 * angular_acceleration_x - t54 * angular_acceleration_y;
+        let acceleration_y = acceleration_y - t58 * angular_acceleration_z;
+        let acceleration_z = t72 - t51 * angular_acceleration_x - t55 * angular_acceleration_y;
+        let acceleration_z = acceleration_z - t59 * angular_acceleration_z;
 
         // Modal accelerations (36 operations: 18 multiply, 18 add)
         let t79 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
@@ -614,15 +614,15 @@ const _: () = {
         let inertia_xy = 0.3309048 + change_xy * -0.5;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (39 operations: 24 multiply, 15 add)
-        let t1 = 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
-        let t2 = 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
-        let t3 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
-        let t4 = t1 * 2.0 + (omega_y * first_moment_z - omega_z * first_moment_y);
-        let t5 = t2 * 2.0 + (omega_z * first_moment_x - omega_x * first_moment_z);
-        let t6 = t3 * 2.0 + (omega_x * first_moment_y - omega_y * first_moment_x);
-        let t7 = omega_y * t6 - omega_z * t5;
-        let t8 = omega_z * t4 - omega_x * t6;
-        let t9 = omega_x * t5 - omega_y * t4;
+        let t1 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
+        let t2 = t1 * 2.0 + (omega_x * first_moment_y - omega_y * first_moment_x);
+        let t3 = 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
+        let t4 = t3 * 2.0 + (omega_z * first_moment_x - omega_x * first_moment_z);
+        let t5 = omega_y * t2 - omega_z * t4;
+        let t6 = 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
+        let t7 = t6 * 2.0 + (omega_y * first_moment_z - omega_z * first_moment_y);
+        let t8 = omega_z * t7 - omega_x * t2;
+        let t9 = omega_x * t4 - omega_y * t7;
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (96 operations: 54 multiply, 42 add)
         let rate_trace = q_dot0 * moment_trace0 + q_dot1 * moment_trace1 + q_dot2 * moment_trace2;
@@ -635,56 +635,56 @@ const _: () = {
         let modal_spin_y = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
         let modal_spin_z = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
         let angular_momentum_x = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
-        let angular_momentum_y = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
-        let angular_momentum_z = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
         let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
         let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
         let angular_momentum_z = modal_spin_z + angular_momentum_z;
         let t10 = omega_x * 2.0;
-        let t11 = omega_y * 2.0;
-        let t12 = omega_z * 2.0;
-        let t13 = (rate_yy + rate_zz) * t10 - omega_y * rate_xy - omega_z * rate_xz;
-        let t14 = (rate_trace - rate_yy) * t11 - omega_x * rate_xy - omega_z * rate_yz;
-        let t15 = (rate_trace - rate_zz) * t12 - (omega_x * rate_xz + omega_y * rate_yz);
-        let t16 = omega_y * angular_momentum_z - omega_z * angular_momentum_y + t13;
-        let t17 = omega_z * angular_momentum_x - omega_x * angular_momentum_z + t14;
-        let t18 = omega_x * angular_momentum_y - omega_y * angular_momentum_x + t15;
+        let t11 = (rate_yy + rate_zz) * t10 - omega_y * rate_xy - omega_z * rate_xz;
+        let t12 = omega_y * angular_momentum_z - omega_z * angular_momentum_y + t11;
+        let t13 = omega_y * 2.0;
+        let t14 = (rate_trace - rate_yy) * t13 - omega_x * rate_xy - omega_z * rate_yz;
+        let t15 = omega_z * angular_momentum_x - omega_x * angular_momentum_z + t14;
+        let t16 = omega_z * 2.0;
+        let t17 = (rate_trace - rate_zz) * t16 - (omega_x * rate_xz + omega_y * rate_yz);
+        let t18 = omega_x * angular_momentum_y - omega_y * angular_momentum_x + t17;
 
         // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (87 operations: 51 multiply, 36 add)
-        let t19 = omega_x * omega_x;
-        let t20 = omega_y * omega_y;
-        let t21 = omega_z * omega_z;
-        let t22 = t20 + t21;
-        let t23 = t20 - t19;
-        let t24 = t21 - t19;
-        let t25 = omega_x * omega_y;
-        let t26 = omega_x * omega_z;
-        let t27 = omega_y * omega_z;
-        let modal_quadratic0 = moment_yy0 * t23 - moment_trace0 * t22 + moment_zz0 * t24 + moment_xy0 * t25;
         let whirl_x0 = 0.05850565 * q_dot1 + 0.12657958 * q_dot2;
-        let modal_quadratic0 = modal_quadratic0 + moment_xz0 * t26 + moment_yz0 * t27 + t10 * whirl_x0;
         let whirl_y0 = -0.19366348 * q_dot1 - 0.08698427 * q_dot2;
         let whirl_z0 = -0.1350381 * q_dot1 + 0.023079813 * q_dot2;
-        let modal_quadratic0 = modal_quadratic0 + t11 * whirl_y0 + t12 * whirl_z0;
-        let modal_quadratic1 = moment_yy1 * t23 - moment_trace1 * t22 + moment_zz1 * t24 + moment_xy1 * t25;
+        let t19 = omega_y * omega_y;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_z * omega_z;
+        let t23 = t19 + t22;
+        let t24 = t22 - t20;
+        let t25 = omega_x * omega_y;
+        let modal_quadratic0 = moment_yy0 * t21 - moment_trace0 * t23 + moment_zz0 * t24 + moment_xy0 * t25;
+        let t26 = omega_x * omega_z;
+        let t27 = omega_y * omega_z;
+        let modal_quadratic0 = modal_quadratic0 + moment_xz0 * t26 + moment_yz0 * t27 + t10 * whirl_x0;
+        let modal_quadratic0 = modal_quadratic0 + t13 * whirl_y0 + t16 * whirl_z0;
         let whirl_x1 = -0.05850565 * q_dot0 + 0.16740711 * q_dot2;
-        let modal_quadratic1 = modal_quadratic1 + moment_xz1 * t26 + moment_yz1 * t27 + t10 * whirl_x1;
         let whirl_y1 = 0.19366348 * q_dot0 - 0.032320656 * q_dot2;
         let whirl_z1 = 0.1350381 * q_dot0 + 0.0045365617 * q_dot2;
-        let modal_quadratic1 = modal_quadratic1 + t11 * whirl_y1 + t12 * whirl_z1;
-        let modal_quadratic2 = moment_yy2 * t23 - moment_trace2 * t22 + moment_zz2 * t24 + moment_xy2 * t25;
+        let modal_quadratic1 = moment_yy1 * t21 - moment_trace1 * t23 + moment_zz1 * t24 + moment_xy1 * t25;
+        let modal_quadratic1 = modal_quadratic1 + moment_xz1 * t26 + moment_yz1 * t27 + t10 * whirl_x1;
+        let modal_quadratic1 = modal_quadratic1 + t13 * whirl_y1 + t16 * whirl_z1;
         let whirl_x2 = -0.12657958 * q_dot0 - 0.16740711 * q_dot1;
-        let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t26 + moment_yz2 * t27 + t10 * whirl_x2;
         let whirl_y2 = 0.08698427 * q_dot0 + 0.032320656 * q_dot1;
         let whirl_z2 = -0.023079813 * q_dot0 - 0.0045365617 * q_dot1;
-        let modal_quadratic2 = modal_quadratic2 + t11 * whirl_y2 + t12 * whirl_z2;
+        let modal_quadratic2 = moment_yy2 * t21 - moment_trace2 * t23 + moment_zz2 * t24 + moment_xy2 * t25;
+        let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t26 + moment_yz2 * t27 + t10 * whirl_x2;
+        let modal_quadratic2 = modal_quadratic2 + t13 * whirl_y2 + t16 * whirl_z2;
 
         // Modal forces f - Q_f - K q - D q̇ (33 operations: 12 multiply, 21 add)
         let t28 = 41.17243 * q0 - 0.6331419 * q1 - 0.8200979 * q2 + 0.41172427 * q_dot0;
-        let t29 = -0.6331419 * q0 + 71.420616 * q1 + 0.62786365 * q2 + 0.71420616 * q_dot1;
-        let t30 = -0.8200979 * q0 + 0.62786365 * q1 + 100.87896 * q2 + 1.0087897 * q_dot2;
         let modal_residual0 = modal_force0 - modal_quadratic0 - t28;
+        let t29 = -0.6331419 * q0 + 71.420616 * q1 + 0.62786365 * q2 + 0.71420616 * q_dot1;
         let modal_residual1 = modal_force1 - modal_quadratic1 - t29;
+        let t30 = -0.8200979 * q0 + 0.62786365 * q1 + 100.87896 * q2 + 1.0087897 * q_dot2;
         let modal_residual2 = modal_force2 - modal_quadratic2 - t30;
 
         // Elimination of the modal accelerations (123 operations: 63 multiply, 60 add)
@@ -709,15 +709,15 @@ const _: () = {
         let t49 = first_moment_x - 0.93608946 * coupling_y0 - 0.5361588 * coupling_y1;
         let t50 = t49 - 0.075348966 * coupling_y2;
         let t51 = -0.93608946 * coupling_z0 - 0.5361588 * coupling_z1 - 0.075348966 * coupling_z2;
-        let reduced_force_x = force_x - t7 - 0.6962052 * modal_residual0 - -0.4649262 * modal_residual1;
+        let reduced_force_x = force_x - t5 - 0.6962052 * modal_residual0 - -0.4649262 * modal_residual1;
         let reduced_force_x = reduced_force_x - 0.42337617 * modal_residual2;
         let reduced_force_y = force_y - t8 - 0.3785621 * modal_residual0 - 0.0741744 * modal_residual1;
         let reduced_force_y = reduced_force_y - -0.45901504 * modal_residual2;
         let reduced_force_z = force_z - t9 - -0.93608946 * modal_residual0 - -0.5361588 * modal_residual1;
         let reduced_force_z = reduced_force_z - -0.075348966 * modal_residual2;
-        let reduced_moment_x = moment_x - t16 - coupling_x0 * modal_residual0 - coupling_x1 * modal_residual1;
+        let reduced_moment_x = moment_x - t12 - coupling_x0 * modal_residual0 - coupling_x1 * modal_residual1;
         let reduced_moment_x = reduced_moment_x - coupling_x2 * modal_residual2;
-        let reduced_moment_y = moment_y - t17 - coupling_y0 * modal_residual0 - coupling_y1 * modal_residual1;
+        let reduced_moment_y = moment_y - t15 - coupling_y0 * modal_residual0 - coupling_y1 * modal_residual1;
         let reduced_moment_y = reduced_moment_y - coupling_y2 * modal_residual2;
         let reduced_moment_z = moment_z - t18 - coupling_z0 * modal_residual0 - coupling_z1 * modal_residual1;
         let reduced_moment_z = reduced_moment_z - coupling_z2 * modal_residual2;
@@ -726,44 +726,44 @@ const _: () = {
         let t52 = t37 * -0.10799764 + t43 * -0.00057495653 + t48 * -0.005239896;
         let t53 = t37 * -0.00057495653 + t43 * -0.10218003 + t48 * -0.0041137724;
         let t54 = t37 * 0.005239896 + t43 * 0.0041137724 + t48 * 0.11163478;
-        let t55 = t39 * 0.10799764 + t44 * -0.00057495653 + t50 * 0.005239896;
-        let t56 = t39 * 0.00057495653 + t44 * -0.10218003 + t50 * 0.0041137724;
-        let t57 = t39 * -0.005239896 + t44 * 0.0041137724 + t50 * -0.11163478;
-        let t58 = t41 * -0.10799764 + t46 * 0.00057495653 + t51 * 0.005239896;
-        let t59 = t41 * -0.00057495653 + t46 * 0.10218003 + t51 * 0.0041137724;
-        let t60 = t41 * 0.005239896 + t46 * -0.0041137724 + t51 * -0.11163478;
-        let t61 = reduced_force_x * 0.10799764 + reduced_force_y * 0.00057495653;
-        let t62 = t61 + reduced_force_z * -0.005239896;
-        let t63 = reduced_force_x * 0.00057495653 + reduced_force_y * 0.10218003;
-        let t64 = t63 + reduced_force_z * -0.0041137724;
-        let t65 = reduced_force_x * -0.005239896 + reduced_force_y * -0.0041137724;
-        let t66 = t65 + reduced_force_z * 0.11163478;
-        let t67 = t31 - coupling_x2 * coupling_x2 + t37 * t52 + t43 * t53 - t48 * t54;
-        let t68 = t32 - coupling_y2 * coupling_y2 - t39 * t55 + t44 * t56 + t50 * t57;
-        let t69 = t33 - coupling_z2 * coupling_z2 + t41 * t58 - t46 * t59 + t51 * t60;
-        let t70 = t34 - coupling_y2 * coupling_z2 - t39 * t58 + t44 * t59 + t50 * t60;
-        let t71 = t35 - coupling_x2 * coupling_z2 + t37 * t58 + t43 * t59 - t48 * t60;
-        let t72 = t36 - coupling_x2 * coupling_y2 + t37 * t55 + t43 * t56 - t48 * t57;
-        let t73 = reduced_moment_x + t37 * t62 + t43 * t64 - t48 * t66;
-        let t74 = reduced_moment_y - t39 * t62 + t44 * t64 + t50 * t66;
-        let t75 = reduced_moment_z + t41 * t62 - t46 * t64 + t51 * t66;
-        let t76 = t68 * t69 - t70 * t70;
-        let t77 = t70 * t72 - t68 * t71;
-        let t78 = t70 * t71 - t69 * t72;
-        let inverse_determinant = 1.0 / (t67 * t76 + t72 * t78 + t71 * t77);
-        let t79 = (t71 * t72 - t67 * t70) * inverse_determinant;
-        let t80 = t77 * inverse_determinant;
-        let t81 = t78 * inverse_determinant;
-        let angular_acceleration_x = t73 * (t76 * inverse_determinant) + t74 * t81 + t75 * t80;
-        let angular_acceleration_y = t73 * t81 + t74 * ((t67 * t69 - t71 * t71) * inverse_determinant);
-        let angular_acceleration_y = angular_acceleration_y + t75 * t79;
-        let angular_acceleration_z = t73 * t80 + t74 * t79 + t75 * ((t67 * t68 - t72 * t72) * inverse_determinant);
-        let acceleration_x = t62 - t52 * angular_acceleration_x - t55 * angular_acceleration_y;
-        let acceleration_x = acceleration_x - t58 * angular_acceleration_z;
-        let acceleration_y = t64 - t53 * angular_acceleration_x - t56 * angular_acceleration_y;
-        let acceleration_y = acceleration_y - t59 * angular_acceleration_z;
-        let acceleration_z = t66 - t54 * angular_acceleration_x - t57 * angular_acceleration_y;
-        let acceleration_z = acceleration_z - t60 * angular_acceleration_z;
+        let t55 = t31 - coupling_x2 * coupling_x2 + t37 * t52 + t43 * t53 - t48 * t54;
+        let t56 = t39 * 0.10799764 + t44 * -0.00057495653 + t50 * 0.005239896;
+        let t57 = t39 * 0.00057495653 + t44 * -0.10218003 + t50 * 0.0041137724;
+        let t58 = t39 * -0.005239896 + t44 * 0.0041137724 + t50 * -0.11163478;
+        let t59 = t32 - coupling_y2 * coupling_y2 - t39 * t56 + t44 * t57 + t50 * t58;
+        let t60 = t41 * -0.10799764 + t46 * 0.00057495653 + t51 * 0.005239896;
+        let t61 = t41 * -0.00057495653 + t46 * 0.10218003 + t51 * 0.0041137724;
+        let t62 = t41 * 0.005239896 + t46 * -0.0041137724 + t51 * -0.11163478;
+        let t63 = t33 - coupling_z2 * coupling_z2 + t41 * t60 - t46 * t61 + t51 * t62;
+        let t64 = t34 - coupling_y2 * coupling_z2 - t39 * t60 + t44 * t61 + t50 * t62;
+        let t65 = t59 * t63 - t64 * t64;
+        let t66 = t36 - coupling_x2 * coupling_y2 + t37 * t56 + t43 * t57 - t48 * t58;
+        let t67 = t35 - coupling_x2 * coupling_z2 + t37 * t60 + t43 * t61 - t48 * t62;
+        let t68 = t64 * t67 - t63 * t66;
+        let t69 = t64 * t66 - t59 * t67;
+        let inverse_determinant = 1.0 / (t55 * t65 + t66 * t68 + t67 * t69);
+        let t70 = reduced_force_x * 0.10799764 + reduced_force_y * 0.00057495653;
+        let t71 = t70 + reduced_force_z * -0.005239896;
+        let t72 = reduced_force_x * 0.00057495653 + reduced_force_y * 0.10218003;
+        let t73 = t72 + reduced_force_z * -0.0041137724;
+        let t74 = reduced_force_x * -0.005239896 + reduced_force_y * -0.0041137724;
+        let t75 = t74 + reduced_force_z * 0.11163478;
+        let t76 = reduced_moment_x + t37 * t71 + t43 * t73 - t48 * t75;
+        let t77 = reduced_moment_y - t39 * t71 + t44 * t73 + t50 * t75;
+        let t78 = t68 * inverse_determinant;
+        let t79 = reduced_moment_z + t41 * t71 - t46 * t73 + t51 * t75;
+        let t80 = t69 * inverse_determinant;
+        let angular_acceleration_x = t76 * (t65 * inverse_determinant) + t77 * t78 + t79 * t80;
+        let angular_acceleration_y = t76 * t78 + t77 * ((t55 * t63 - t67 * t67) * inverse_determinant);
+        let t81 = (t67 * t66 - t55 * t64) * inverse_determinant;
+        let angular_acceleration_y = angular_acceleration_y + t79 * t81;
+        let angular_acceleration_z = t76 * t80 + t77 * t81 + t79 * ((t55 * t59 - t66 * t66) * inverse_determinant);
+        let acceleration_x = t71 - t52 * angular_acceleration_x - t56 * angular_acceleration_y;
+        let acceleration_x = acceleration_x - t60 * angular_acceleration_z;
+        let acceleration_y = t73 - t53 * angular_acceleration_x - t57 * angular_acceleration_y;
+        let acceleration_y = acceleration_y - t61 * angular_acceleration_z;
+        let acceleration_z = t75 - t54 * angular_acceleration_x - t58 * angular_acceleration_y;
+        let acceleration_z = acceleration_z - t62 * angular_acceleration_z;
 
         // Modal accelerations (36 operations: 18 multiply, 18 add)
         let t82 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
@@ -809,7 +809,7 @@ const _: () = {
                     1.0,
                 ],
             ],
-            [t7, t8, t9, t16, t17, t18, modal_quadratic0, modal_quadratic1, modal_quadratic2],
+            [t5, t8, t9, t12, t15, t18, modal_quadratic0, modal_quadratic1, modal_quadratic2],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z, t84, t87, t90,
@@ -884,33 +884,33 @@ const _: () = {
         let inertia_xy = 0.3309048 + change_xy * -0.5;
 
         // Twice the energy: v · P + ω · L + q̇ · p (132 operations: 70 multiply, 62 add)
-        let t1 = omega_y * first_moment_z - omega_z * first_moment_y + 10.160826 * velocity_x;
-        let t2 = omega_z * first_moment_x - omega_x * first_moment_z + 10.160826 * velocity_y;
-        let t3 = omega_x * first_moment_y - omega_y * first_moment_x + 10.160826 * velocity_z;
-        let t4 = t1 + 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
-        let t5 = t2 + 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
-        let t6 = t3 - 0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
-        let t7 = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
-        let t8 = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
-        let t9 = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
-        let t10 = q_dot0 * coupling_x0 + q_dot1 * coupling_x1 + q_dot2 * coupling_x2;
-        let t11 = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
-        let t12 = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
-        let t13 = velocity_z * first_moment_y - velocity_y * first_moment_z + t7;
-        let t14 = velocity_x * first_moment_z - velocity_z * first_moment_x + t8;
-        let t15 = velocity_y * first_moment_x - velocity_x * first_moment_y + t9;
-        let t16 = omega_x * (t10 + t13) + omega_y * (t11 + t14) + omega_z * (t12 + t15);
         let modal_momentum0 = 0.6962052 * velocity_x + 0.3785621 * velocity_y - 0.93608946 * velocity_z;
-        let t17 = omega_x * coupling_x0 + omega_y * coupling_y0 + omega_z * coupling_z0;
-        let modal_momentum0 = q_dot0 + (modal_momentum0 + t17);
-        let t18 = velocity_x * t4 + velocity_y * t5 + velocity_z * t6 + t16 + q_dot0 * modal_momentum0;
+        let t1 = omega_x * coupling_x0 + omega_y * coupling_y0 + omega_z * coupling_z0;
+        let modal_momentum0 = q_dot0 + (modal_momentum0 + t1);
         let modal_momentum1 = -0.4649262 * velocity_x + 0.0741744 * velocity_y - 0.5361588 * velocity_z;
-        let t19 = omega_x * coupling_x1 + omega_y * coupling_y1 + omega_z * coupling_z1;
-        let modal_momentum1 = q_dot1 + (modal_momentum1 + t19);
+        let t2 = omega_x * coupling_x1 + omega_y * coupling_y1 + omega_z * coupling_z1;
+        let modal_momentum1 = q_dot1 + (modal_momentum1 + t2);
         let modal_momentum2 = 0.42337617 * velocity_x - 0.45901504 * velocity_y - 0.075348966 * velocity_z;
-        let t20 = omega_x * coupling_x2 + omega_y * coupling_y2 + omega_z * coupling_z2;
-        let modal_momentum2 = q_dot2 + (modal_momentum2 + t20);
-        let t21 = (t18 + q_dot1 * modal_momentum1 + q_dot2 * modal_momentum2) * 0.5;
+        let t3 = omega_x * coupling_x2 + omega_y * coupling_y2 + omega_z * coupling_z2;
+        let modal_momentum2 = q_dot2 + (modal_momentum2 + t3);
+        let t4 = omega_y * first_moment_z - omega_z * first_moment_y + 10.160826 * velocity_x;
+        let t5 = t4 + 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
+        let t6 = omega_z * first_moment_x - omega_x * first_moment_z + 10.160826 * velocity_y;
+        let t7 = t6 + 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
+        let t8 = omega_x * first_moment_y - omega_y * first_moment_x + 10.160826 * velocity_z;
+        let t9 = t8 - 0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
+        let t10 = q_dot0 * coupling_x0 + q_dot1 * coupling_x1 + q_dot2 * coupling_x2;
+        let t11 = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
+        let t12 = velocity_z * first_moment_y - velocity_y * first_moment_z + t11;
+        let t13 = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
+        let t14 = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
+        let t15 = velocity_x * first_moment_z - velocity_z * first_moment_x + t14;
+        let t16 = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
+        let t17 = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
+        let t18 = velocity_y * first_moment_x - velocity_x * first_moment_y + t17;
+        let t19 = omega_x * (t10 + t12) + omega_y * (t13 + t15) + omega_z * (t16 + t18);
+        let t20 = velocity_x * t5 + velocity_y * t7 + velocity_z * t9 + t19 + q_dot0 * modal_momentum0;
+        let t21 = (t20 + q_dot1 * modal_momentum1 + q_dot2 * modal_momentum2) * 0.5;
 
         t21
     }
@@ -950,13 +950,13 @@ const _: () = {
 
         // Deformed inertia tensor Θ_rr (33 operations: 18 multiply, 15 add)
         let t1 = omega_y * first_moment_z - omega_z * first_moment_y + 10.160826 * velocity_x;
-        let t2 = omega_z * first_moment_x - omega_x * first_moment_z + 10.160826 * velocity_y;
-        let t3 = omega_x * first_moment_y - omega_y * first_moment_x + 10.160826 * velocity_z;
-        let t4 = t1 + 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
-        let t5 = t2 + 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
-        let t6 = t3 - 0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
+        let t2 = t1 + 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
+        let t3 = omega_z * first_moment_x - omega_x * first_moment_z + 10.160826 * velocity_y;
+        let t4 = t3 + 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
+        let t5 = omega_x * first_moment_y - omega_y * first_moment_x + 10.160826 * velocity_z;
+        let t6 = t5 - 0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
 
-        [t4, t5, t6]
+        [t2, t4, t6]
     }
 
     /// Angular momentum about the frame origin.
@@ -1024,17 +1024,17 @@ const _: () = {
         let inertia_yz = -0.07467371 + change_yz * -0.5;
         let inertia_xz = -0.6668763 + change_xz * -0.5;
         let inertia_xy = 0.3309048 + change_xy * -0.5;
-        let t1 = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
-        let t2 = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
-        let t3 = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
-        let t4 = q_dot0 * coupling_x0 + q_dot1 * coupling_x1 + q_dot2 * coupling_x2;
-        let t5 = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
-        let t6 = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
-        let t7 = velocity_z * first_moment_y - velocity_y * first_moment_z + t1;
-        let t8 = velocity_x * first_moment_z - velocity_z * first_moment_x + t2;
-        let t9 = velocity_y * first_moment_x - velocity_x * first_moment_y + t3;
+        let t1 = q_dot0 * coupling_x0 + q_dot1 * coupling_x1 + q_dot2 * coupling_x2;
+        let t2 = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
+        let t3 = velocity_z * first_moment_y - velocity_y * first_moment_z + t2;
+        let t4 = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
+        let t5 = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
+        let t6 = velocity_x * first_moment_z - velocity_z * first_moment_x + t5;
+        let t7 = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
+        let t8 = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
+        let t9 = velocity_y * first_moment_x - velocity_x * first_moment_y + t8;
 
-        [t4 + t7, t5 + t8, t6 + t9]
+        [t1 + t3, t4 + t6, t7 + t9]
     }
 
     /// Elastic and damping forces, on the left-hand side.
