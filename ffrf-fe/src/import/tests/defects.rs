@@ -168,3 +168,30 @@ fn a_missing_mass_is_asked_for() {
     let error = read_model(&ModelFiles { nodes, mass: None, stiffness: None }).unwrap_err();
     assert_eq!(error.to_string(), "the mass file is missing: name it with --mass");
 }
+
+#[test]
+fn defects_late_in_a_file_that_is_read_in_pieces() {
+    let lines: Vec<String> = (1..=100_000).map(|row| format!("{row} {row} {row}.0")).collect();
+    let message = |damaged: &[(usize, &str)], line_end: &str| {
+        let mut lines = lines.clone();
+        for &(line, text) in damaged {
+            lines[line - 1] = text.to_owned();
+        }
+        let folder = Folder::new(&[("k.mtx", &(lines.join(line_end) + line_end))]);
+        let read = super::super::read_matrix(&folder.path("k.mtx"), &crate::Nodes::default());
+        read.map(|matrix| format!("{} entries", matrix.compute_nnz()))
+            .unwrap_or_else(|error| error.to_string())
+    };
+    for line_end in ["\n", "\r\n"] {
+        assert_eq!(message(&[], line_end), "100000 entries");
+        let late = (99_990, "99990 x 1.0");
+        assert_parts(&message(&[late], line_end), &["k.mtx:99990:", "`x` in `99990 x 1.0`"]);
+        // the first of two, in the same piece and in another
+        let earlier = (99_980, "99980 99980 inf");
+        assert_parts(&message(&[late, earlier], line_end), &["k.mtx:99980:", "finite", "`inf`"]);
+        let early = (7, "7 0 1.0");
+        assert_parts(&message(&[late, early], line_end), &["k.mtx:7:", "an index from 1", "`0`"]);
+        let alone = (99_999, "99999 99998 5.0");
+        assert_parts(&message(&[alone], line_end), &["100001 entries"]);
+    }
+}
