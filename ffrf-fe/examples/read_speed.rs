@@ -5,7 +5,7 @@
 //! Best of some runs, so that file and memory are warm; the first run, into fresh memory, stands in the last column.
 //!
 //! Measured on 2026-11-22, 2 cores of an AMD EPYC (Zen 4), before other processes: a million entries (15 to 36 MB) in
-//! 16 to 34 ms, 980 to 1320 MB/s, 7 to 10 times the bytes alone from the page cache; their SHA-256 takes 11 to 25 ms.
+//! 16 to 42 ms, 850 to 1300 MB/s, 7 to 12 times the bytes alone from the page cache; their SHA-256 takes 11 to 25 ms.
 //!
 //! Run with `cargo run --release -p ffrf-fe --example read_speed`.
 
