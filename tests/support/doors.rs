@@ -41,6 +41,11 @@ pub fn with_model() -> Vec<Door> {
         door("modes: ..2", "--modes 2", GenerateOptions { modes: Some(2), ..model() }),
         door("scalar: f32", "--scalar f32", GenerateOptions { scalar: ScalarType::F32, ..model() }),
         door("scalar: f64", "--scalar f64", model()),
+        door(
+            "scalar: generic, modes: ..2",
+            "--scalar generic --modes 2",
+            GenerateOptions { scalar: ScalarType::Generic, modes: Some(2), ..model() },
+        ),
         door("fidelity: rigid", "--fidelity rigid", GenerateOptions { fidelity: Fidelity::Rigid, ..model() }),
         door(
             "fidelity: constant",
