@@ -105,8 +105,16 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
                 None => [Register::<T>::zero(); 6],
             };
             let trace = base[0] + self.trace.times::<T>(g, q);
-            let [yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4]
-                .map(|component| Register::<T>::load(&state.modal.even[component][g]) + base[component + 1]);
+            let [even_yy, even_zz, even_xy, even_xz, even_yz] = &state.modal.even;
+            let [_, base_yy, base_zz, base_xy, base_xz, base_yz] = base;
+            let [yy, zz, xy, xz, yz] = [
+                (&even_yy[g], base_yy),
+                (&even_zz[g], base_zz),
+                (&even_xy[g], base_xy),
+                (&even_xz[g], base_xz),
+                (&even_yz[g], base_yz),
+            ]
+            .map(|(even, base)| Register::<T>::load(even) + base);
             let deformed = [trace, yy, zz, xy, xz, yz];
             for component in 0..6 {
                 change[component] =

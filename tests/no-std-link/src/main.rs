@@ -1,15 +1,16 @@
-//! Proof at link time: the runtime needs neither the standard library nor an allocator.
+//! Proof at link time: runtime and generated code need neither the standard library nor an allocator.
 //!
-//! There is no global allocator here, so a single allocation anywhere in the runtime would not link.
+//! There is no global allocator here, so a single allocation anywhere in it would not link.
 //! Proof of the same kind, in the release build: no panic is reachable, see the panic handler.
 //! The exit code says which check failed; 0 means that all passed.
 #![no_std]
 #![no_main]
 
+mod generated;
 mod pulsating_ball;
 
-use ffrf_runtime::nalgebra::{SVector, Vector3};
-use ffrf_runtime::{Frame, FreeBody, Gravity, Marker, MarkerLoad};
+use ffrf::nalgebra::{SVector, Vector3};
+use ffrf::{Frame, FreeBody, Gravity, Marker, MarkerLoad};
 use pulsating_ball::PulsatingBall;
 
 // The three uses of `unsafe` below are declarations, which a program without `std` cannot do without.
@@ -50,6 +51,9 @@ pub extern "C" fn main(_: i32, _: *const *const u8) -> i32 {
     }
     if !bad_steps_are_refused() {
         return 3;
+    }
+    if !generated::every_form_flies() {
+        return 4;
     }
     0
 }

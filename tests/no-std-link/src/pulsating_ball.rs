@@ -1,7 +1,7 @@
 //! A ball with one breathing mode: the smallest flexible body that still couples deformation and spin.
 
-use ffrf_runtime::nalgebra::{SMatrix, SVector, Vector3};
-use ffrf_runtime::{EquationsOfMotion, FlexibleBody};
+use ffrf::nalgebra::{SMatrix, SVector, Vector3};
+use ffrf::{EquationsOfMotion, FlexibleBody};
 
 const MASS: f64 = 2.0;
 /// Euler tensor of the undeformed ball, T = S I. Units: kg m².

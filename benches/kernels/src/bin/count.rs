@@ -7,6 +7,9 @@ use ffrf::FlexibleBody;
 use ffrf::nalgebra::{SMatrix, SVector, Vector3};
 
 /// Calls the kernel of that name; `None` if the name belongs to another body.
+///
+/// Not inlined, so that the code of one body does not depend on how much of the others stands around it.
+#[inline(never)]
 fn call<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
     body: &B,
     prefix: &str,

@@ -1,0 +1,75 @@
+//! Generated bodies: statements, loops over a whole table, loops over half of it, and every number type.
+
+use ffrf::nalgebra::{SVector, Vector3};
+use ffrf::{FlexibleBody, FreeBody, flexible_body};
+
+include!(concat!(env!("OUT_DIR"), "/many_modes.rs"));
+
+flexible_body! {
+    struct FewModes { model: "../../models/conrod.ffrf.json", modes: ..2, jacobians: true }
+}
+
+flexible_body! {
+    struct EightModes { model: "../../models/conrod.ffrf.json" }
+}
+
+flexible_body! {
+    struct Generic { model: "../../models/conrod.ffrf.json", scalar: generic }
+}
+
+/// Whether a spinning, vibrating body keeps its energy over some steps of both integrators, and every kernel runs.
+fn flies<const M: usize, const N: usize>(body: impl FlexibleBody<M, N> + Copy, step: f64, q: f64) -> bool {
+    let mut flight = FreeBody::<_, M, N>::new(body)
+        .with_spin(Vector3::new(0.5, 2.0, 0.1))
+        .with_deformation(SVector::repeat(q), SVector::zeros());
+    let energy = flight.kinetic_energy() + flight.elastic_energy();
+    for _ in 0..20 {
+        if flight.step_rk4(step, &()).is_err() {
+            return false;
+        }
+    }
+    let change = flight.kinetic_energy() + flight.elastic_energy() - energy;
+    let (q, q_dot) = (flight.state.modal_coordinates, flight.state.modal_rates);
+    let omega = flight.state.angular_velocity;
+    let force = SVector::<f64, N>::repeat(1.0);
+    let equations = body.equations_of_motion(&q, &omega, &q_dot, &force);
+    let mut written = equations;
+    body.write_equations_of_motion(
+        &q,
+        &omega,
+        &q_dot,
+        &force,
+        &mut written.mass_matrix,
+        &mut written.quadratic_velocity,
+        &mut written.acceleration,
+    );
+    let alone = body.forward_dynamics(&q, &omega, &q_dot, &force);
+    let same = (alone - equations.acceleration).amax() <= 1e-9 * alone.amax()
+        && (written.mass_matrix - body.mass_matrix(&q)).amax() <= 1e-12 * written.mass_matrix.amax();
+    // Damping may take energy, nothing may give it.
+    same && change < 1e-6 * energy
+        && flight.step_linearly_implicit(step, &()).is_ok()
+        && flight.state.is_finite()
+}
+
+/// Whether every form of generated code runs.
+pub fn every_form_flies() -> bool {
+    let markers = FewModes.marker("BIG_END").is_some() && FewModes.marker("nowhere").is_none();
+    markers
+        && flies::<2, 8>(FewModes, 1e-5, 1e-6)
+        && flies::<8, 14>(EightModes, 1e-6, 1e-6)
+        && flies::<8, 14>(Generic, 1e-6, 1e-6)
+        && flies::<20, 26>(ManyModes, 1e-4, 1e-3)
+        && jacobians_agree()
+}
+
+/// M(q) from the residual's Jacobian.
+fn jacobians_agree() -> bool {
+    use ffrf::FlexibleBodyJacobians;
+    let q = SVector::<f64, 2>::new(1e-6, -2e-6);
+    let omega = Vector3::new(1.0, 2.0, 3.0);
+    let zero = SVector::<f64, 8>::zeros();
+    let residual = FewModes.residual_jacobian(&q, &omega, &q, &zero, &zero);
+    let accelerations = FewModes.acceleration_jacobian(&q, &omega, &q, &zero);
+    (residual.acceleration - FewModes.mass_matrix(&q)).amax() < 1e-12 && accelerations.force.amax() > 0.0
+}
