@@ -43,17 +43,45 @@ fn group<T: Scalar, R: Lanes<T, W>, const W: usize, const M: usize>(
 impl<T: Scalar, const M: usize, const G: usize, const PAIRS: usize, const SINGLE: usize> MomentTable<T, M, G>
     for FullTable<T::Constant, M, PAIRS, SINGLE>
 {
+    /// Of one or two groups the product is kept once for all kernels: that takes as long and makes their code smaller.
+    /// Of more groups it is a loop in the place of each call, which is faster.
     #[inline(always)]
     fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
         const { assert!(G == 2 * PAIRS + SINGLE && SINGLE <= 1 && 4 * G >= M) };
-        for (pair, table) in self.eights.iter().enumerate() {
-            let (deformed, whirl) = group::<T, <T as HasLanes<8>>::Lanes, 8, M>(table, q, q_dot, two_omega);
-            put(moments, 2 * pair, deformed.map(Lanes::store), whirl.store());
+        if const { G <= 2 } {
+            shared_product(self, q, q_dot, two_omega, moments);
+        } else {
+            product(self, q, q_dot, two_omega, moments);
         }
-        for table in &self.fours {
-            let (deformed, whirl) = group::<T, <T as HasLanes<4>>::Lanes, 4, M>(table, q, q_dot, two_omega);
-            put(moments, 2 * PAIRS, deformed.map(Lanes::store), whirl.store());
-        }
+    }
+}
+
+#[inline(never)]
+fn shared_product<T: Scalar, const M: usize, const G: usize, const PAIRS: usize, const SINGLE: usize>(
+    table: &FullTable<T::Constant, M, PAIRS, SINGLE>,
+    q: &[T; M],
+    q_dot: &[T; M],
+    two_omega: [T; 3],
+    moments: &mut Moments<T, G>,
+) {
+    product(table, q, q_dot, two_omega, moments);
+}
+
+#[inline(always)]
+fn product<T: Scalar, const M: usize, const G: usize, const PAIRS: usize, const SINGLE: usize>(
+    table: &FullTable<T::Constant, M, PAIRS, SINGLE>,
+    q: &[T; M],
+    q_dot: &[T; M],
+    two_omega: [T; 3],
+    moments: &mut Moments<T, G>,
+) {
+    for (pair, table) in table.eights.iter().enumerate() {
+        let (deformed, whirl) = group::<T, <T as HasLanes<8>>::Lanes, 8, M>(table, q, q_dot, two_omega);
+        put(moments, 2 * pair, deformed.map(Lanes::store), whirl.store());
+    }
+    for table in &table.fours {
+        let (deformed, whirl) = group::<T, <T as HasLanes<4>>::Lanes, 4, M>(table, q, q_dot, two_omega);
+        put(moments, 2 * PAIRS, deformed.map(Lanes::store), whirl.store());
     }
 }
 
