@@ -18,7 +18,10 @@ pub struct Case {
 /// Numbers of modes that are timed.
 pub const TIMED: [usize; 7] = [1, 2, 4, 8, 16, 32, 64];
 /// Numbers of modes at which lanes are checked: with and without padding, both kinds of table.
-pub const CHECKED: [usize; 14] = [1, 2, 3, 4, 5, 7, 8, 9, 12, 16, 17, 20, 21, 33];
+pub const CHECKED: [usize; 15] = [1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 16, 17, 20, 21, 33];
+
+/// Numbers of modes around the change-over, in lanes and in statements.
+pub const CHANGE_OVER: [usize; 6] = [3, 4, 5, 6, 7, 8];
 
 /// Every case.
 pub fn all() -> Vec<Case> {
@@ -37,6 +40,10 @@ pub fn all() -> Vec<Case> {
     let lanes = || GenerateOptions { strategy: Strategy::Lanes, ..options() };
     for modes in CHECKED {
         add(format!("lanes_m{modes}"), body(modes, Modes::Normalised), lanes());
+    }
+    let statements = || GenerateOptions { strategy: Strategy::StraightLine, ..options() };
+    for modes in CHANGE_OVER {
+        add(format!("statements_m{modes}"), body(modes, Modes::Normalised), statements());
     }
     for modes in [3, 9, 21] {
         add(format!("lanes_free_free_m{modes}"), body(modes, Modes::FreeFree), lanes());

@@ -6,6 +6,9 @@
 pub mod random_body;
 
 pub mod cases;
+pub mod columns;
+pub mod storage;
+pub mod table;
 pub mod timing;
 
 #[path = "../../../ffrf-runtime/tests/common/naive_body.rs"]

@@ -1,123 +1,56 @@
-//! Times generated bodies and the naive form: `cargo run --release [rounds]`; JSON lines on standard output.
+//! Times generated bodies: `cargo run --release [rounds]`; tables in Markdown on standard output, see `../kernels.sh`.
 #![forbid(unsafe_code)]
 
-use std::hint::black_box;
-
-use ffrf::nalgebra::{RealField, SMatrix, SVector, Vector3, convert};
-use ffrf::{EquationsOfMotion, FlexibleBody};
-use kernels::cases;
-use kernels::naive_body::{Invariants, NaiveBody};
-use kernels::random_body::Random;
+use kernels::columns::{ACCELERATIONS, EQUATIONS, States, columns, naive};
+use kernels::storage;
+use kernels::table::Table;
 use kernels::timing::{Column, time};
 
-struct States<const M: usize, const N: usize, T> {
-    q: Vec<SVector<T, M>>,
-    omega: Vec<Vector3<T>>,
-    q_dot: Vec<SVector<T, M>>,
-    force: Vec<SVector<T, N>>,
-}
-
-impl<const M: usize, const N: usize, T: RealField + Copy> States<M, N, T> {
-    fn new() -> Self {
-        let mut random = Random::new(7);
-        let mut states = Self { q: vec![], omega: vec![], q_dot: vec![], force: vec![] };
-        for _ in 0..32 {
-            states.q.push(SVector::from_fn(|_, _| convert(0.2 * random.number())));
-            states.omega.push(Vector3::from_fn(|_, _| convert(2.0 * random.number())));
-            states.q_dot.push(SVector::from_fn(|_, _| convert(random.number())));
-            states.force.push(SVector::from_fn(|_, _| convert(random.number())));
-        }
-        states
-    }
-}
-
-/// Two columns of one body: everything in one pass into a place used again, and accelerations alone.
-fn columns<'a, const M: usize, const N: usize, T, B>(
-    name: &str,
-    body: &'a B,
-    states: &'a States<M, N, T>,
-) -> [Column<'a>; 2]
-where
-    T: RealField + Copy,
-    B: FlexibleBody<M, N, T>,
-{
-    let zero = SVector::<T, N>::zeros();
-    let mut equations = Box::new(EquationsOfMotion::<M, N, T> {
-        mass_matrix: SMatrix::<T, N, N>::zeros(),
-        quadratic_velocity: zero,
-        acceleration: zero,
-    });
-    let s = states;
-    [
-        Column {
-            name: format!("{name} equations_of_motion"),
-            call: Box::new(move |k| {
-                let EquationsOfMotion { mass_matrix, quadratic_velocity, acceleration } = &mut *equations;
-                body.write_equations_of_motion(
-                    &s.q[k],
-                    &s.omega[k],
-                    &s.q_dot[k],
-                    &s.force[k],
-                    mass_matrix,
-                    quadratic_velocity,
-                    acceleration,
-                );
-                black_box(&*equations);
-            }),
-        },
-        Column {
-            name: format!("{name} forward_dynamics"),
-            call: Box::new(move |k| {
-                black_box(body.forward_dynamics(&s.q[k], &s.omega[k], &s.q_dot[k], &s.force[k]));
-            }),
-        },
-    ]
-}
-
-fn naive<const M: usize, const N: usize>() -> NaiveBody<M, N> {
-    let case = cases::all().into_iter().find(|case| case.name == format!("general_m{M}"));
-    let body = case.expect("every timed number of modes has a general case").body;
-    let inertia = &body.inertia;
-    let modal = |matrix: &[Vec<f64>]| std::array::from_fn(|mu| std::array::from_fn(|nu| matrix[mu][nu]));
-    NaiveBody::new(&Invariants {
-        mass: inertia.mass,
-        centre_of_mass: inertia.first_moment.map(|x| x / inertia.mass),
-        modal_centre_of_mass: std::array::from_fn(|mu| {
-            inertia.modal_first_moment[mu].map(|x| x / inertia.mass)
-        }),
-        euler_tensor: inertia.second_moment,
-        modal_euler_tensor: std::array::from_fn(|mu| inertia.position_mode_moment[mu]),
-        modal_pair_euler_tensor: std::array::from_fn(|mu| {
-            std::array::from_fn(|nu| inertia.mode_mode_moment[mu][nu])
-        }),
-        stiffness: modal(&body.stiffness),
-        damping: modal(&body.damping),
-    })
-}
-
-macro_rules! timed {
-    ($rounds:expr; $($modes:literal $size:literal $general:ident $single:ident $free:ident;)*) => {$({
+macro_rules! layouts {
+    ($table:ident, $rounds:expr; $($modes:literal $size:literal $general:ident $single:ident $free:ident;)*) => {$({
         let states = States::<$modes, $size, f64>::new();
         let states_single = States::<$modes, $size, f32>::new();
         let naive = Box::new(naive::<$modes, $size>());
         let mut all: Vec<Column<'_>> = Vec::new();
         all.extend(columns("general", &kernels::$general::Body, &states));
-        all.extend(columns("naive", &*naive, &states));
         all.extend(columns("free-free", &kernels::$free::Body, &states));
-        all.extend(columns("general f32", &kernels::$single::Body, &states_single));
+        all.extend(columns("general, f32", &kernels::$single::Body, &states_single));
+        all.extend(columns("naive", &*naive, &states));
         let times = time(&mut all, $rounds);
         for (column, time) in all.iter().zip(times) {
-            println!(
-                "{{\"modes\": {}, \"column\": \"{}\", \"minimum_ns\": {:.1}, \"median_ns\": {:.1}}}",
-                $modes, column.name, time.minimum, time.median
-            );
+            $table.add($modes, &column.name, time);
+        }
+    })*};
+}
+
+macro_rules! strategies {
+    ($table:ident, $rounds:expr; $($modes:literal $size:literal $statements:ident $lanes:ident;)*) => {$({
+        let states = States::<$modes, $size, f64>::new();
+        let mut all: Vec<Column<'_>> = Vec::new();
+        all.extend(columns("statements", &kernels::$statements::Body, &states));
+        all.extend(columns("lanes", &kernels::$lanes::Body, &states));
+        let times = time(&mut all, $rounds);
+        for (column, time) in all.iter().zip(times) {
+            $table.add($modes, &column.name, time);
+        }
+    })*};
+}
+
+macro_rules! storages {
+    ($table:ident, $rounds:expr; $($modes:literal $size:literal $groups:literal $pairs:literal $tiles:literal;)*) => {$({
+        let states = States::<$modes, $size, f64>::new();
+        let mut all = storage::columns::<$modes, $size, $groups, $pairs, $tiles>(&states);
+        let times = time(&mut all, $rounds);
+        for (column, time) in all.iter().zip(times) {
+            $table.add($modes, &column.name, time);
         }
     })*};
 }
 
 fn main() {
     let rounds = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(200);
-    timed! { rounds;
+    let mut layouts = Table::new("Layouts and scalar types");
+    layouts! { layouts, rounds;
         1 7 general_m1 single_m1 free_free_m1;
         2 8 general_m2 single_m2 free_free_m2;
         4 10 general_m4 single_m4 free_free_m4;
@@ -125,5 +58,34 @@ fn main() {
         16 22 general_m16 single_m16 free_free_m16;
         32 38 general_m32 single_m32 free_free_m32;
         64 70 general_m64 single_m64 free_free_m64;
+    }
+    for kernel in [EQUATIONS, ACCELERATIONS] {
+        let (general, free) = (format!("general {kernel}"), format!("free-free {kernel}"));
+        layouts.add_ratio(&format!("free-free / general, {kernel}"), &free, &general);
+    }
+    let mut strategies = Table::new("The change-over from statements to lanes, which is at 7 modes");
+    strategies! { strategies, rounds;
+        3 9 statements_m3 lanes_m3;
+        4 10 statements_m4 lanes_m4;
+        5 11 statements_m5 lanes_m5;
+        6 12 statements_m6 lanes_m6;
+        7 13 statements_m7 lanes_m7;
+        8 14 statements_m8 lanes_m8;
+    }
+    for kernel in [EQUATIONS, ACCELERATIONS] {
+        let (lanes, statements) = (format!("lanes {kernel}"), format!("statements {kernel}"));
+        strategies.add_ratio(&format!("lanes / statements, {kernel}"), &lanes, &statements);
+    }
+    let mut storage = Table::new("Accelerations with all moments stored and with half of them");
+    storages! { storage, rounds;
+        16 22 4 2 48;
+        24 30 6 3 120;
+        32 38 8 4 224;
+        48 54 12 6 528;
+        64 70 16 8 960;
+    }
+    storage.add_ratio("half / whole", "half", "whole");
+    for table in [layouts, strategies, storage] {
+        println!("{table}");
     }
 }

@@ -29,6 +29,7 @@ agree! { true;
     lanes_m3 3 9;
     lanes_m4 4 10;
     lanes_m5 5 11;
+    lanes_m6 6 12;
     lanes_m7 7 13;
     lanes_m8 8 14;
     lanes_m9 9 15;

@@ -10,8 +10,8 @@ use crate::layout::Structure;
 use crate::options::Strategy;
 use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
 
-/// From this number of modes on, lanes are chosen. Measured, see docs/benchmarks.
-const LANES_FROM: usize = 6;
+/// From this number of modes on, lanes are chosen. Measured, see benches/kernels.md.
+const LANES_FROM: usize = 7;
 
 /// The tables in the code that [`generate`](crate::generate) makes of a body; `None` if that code is straight-line.
 ///
