@@ -3,7 +3,8 @@
 //! A [`Graph`] holds [`Node`]s. An [`Expression`] is a handle to one of them and is `Copy`. A node refers only to
 //! nodes that stand before it, so index order is a topological order and there are no cycles. Inserting a node
 //! that is already there returns the old handle (hash-consing): equal subexpressions are one node by construction.
-//! Building folds what it can see locally: constants, zeros, ones, double negation. What folded away costs nothing later.
+//! Building simplifies what it can see locally (`rules`, one file each): constants, zeros, ones, double negation. What folded away costs
+//! nothing later.
 //!
 //! Nodes have no side effects and no order of evaluation beyond their operands. A graph is interpreted by
 //! [`evaluate`], differentiated by [`differentiate`], rewritten by `passes` and printed by `emit`.
@@ -13,6 +14,7 @@ mod constant;
 mod differentiate;
 mod graph;
 mod interpret;
+mod rules;
 mod substitute;
 pub(crate) mod symbol;
 mod vector;

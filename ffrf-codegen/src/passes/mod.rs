@@ -1,6 +1,8 @@
-//! The passes between formulation and emission, one file each, in their order.
+//! The passes between formulation and emission, one file each, in their order:
 //!
-//! Folding, zero and one elision and common subexpressions need no pass: they happen on insertion.
+//! 1. constant folding, zero and one elision, changes of sign: `expression/rules`, on insertion of each node;
+//! 2. common subexpressions: [`Graph::insert`](crate::expression::Graph::insert), which gives an equal node the same handle;
+//! 3. dead code, factors, fused multiply-add (optional), dead code again, order: here, on the whole graph.
 
 mod dead_code;
 mod factor;
