@@ -55,6 +55,9 @@ use proc_macro::TokenStream;
 ///     }
 /// }
 /// ```
+///
+/// Its fields are public, so its method `check()` says whether what stands in them can be a body: call it once before
+/// simulating; its error names the field, the index, the number found and what was expected.
 #[proc_macro]
 pub fn flexible_body(input: TokenStream) -> TokenStream {
     expand::flexible_body(input.into()).into()

@@ -2,6 +2,7 @@
 //!
 //! Everything here is a few instructions long, always inlined, and free of allocation and panics.
 
+pub use crate::invariants::checks;
 pub use crate::lanes;
 
 use nalgebra::{ArrayStorage, ComplexField, RealField, SMatrix, SVector};

@@ -6,6 +6,7 @@
 //! - [`Marker`] is a point where forces act and joints hold, with its Jacobians; [`LeverArm`] says about which position.
 //! - [`forms`] makes the inertial and the Euler-parameter form of the equations out of the kernels' one.
 //! - [`rotation`] states the one convention of rotations.
+//! - [`InvariantError`] is what `check` of a body says whose invariants come at run time.
 //!
 //! Nothing here allocates or panics; a step does bounded work and either succeeds or leaves the state as it was.
 //!
@@ -30,6 +31,7 @@ pub mod forms;
 mod free_body;
 #[doc(hidden)]
 pub mod generated_support;
+mod invariants;
 mod jacobians;
 #[doc(hidden)]
 pub mod lanes;
@@ -45,6 +47,7 @@ mod step;
 
 pub use flexible_body::{EquationsOfMotion, FlexibleBody};
 pub use free_body::FreeBody;
+pub use invariants::{InvariantError, InvariantExpectation, InvariantIndex};
 pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};
 pub use lever_arm::LeverArm;
 pub use linearly_implicit::step_linearly_implicit;

@@ -3,6 +3,7 @@
 //! The text is the one form: the tokens of the macro are the tokens of that text, comments left out.
 
 mod banner;
+mod check;
 mod documentation;
 mod expression_text;
 mod function;
@@ -47,6 +48,8 @@ pub(crate) fn baked_body(
 pub(crate) fn parameter_body(kernels: &[ValidKernel], report: &Report, options: &GenerateOptions) -> String {
     let mut text = head(report, options);
     text.push_str(&parameters::parameter_struct(report.mode_count, &report.layout, options));
+    text.push('\n');
+    text.push_str(&check::inherent_method(report.mode_count, &report.layout, options));
     text.push('\n');
     text.push_str(&kernels_block(kernels, None, options, Some((&options.name, &report.layout)), ""));
     text

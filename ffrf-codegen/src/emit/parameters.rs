@@ -45,7 +45,8 @@ pub(super) fn parameter_struct(mode_count: usize, layout: &Layout, options: &Gen
     if !options.attributes.iter().any(|attribute| is_documentation(attribute)) {
         let _ = writeln!(
             text,
-            "/// Flexible body with {mode_count} modes; its invariants are supplied at run time."
+            "/// Flexible body with {mode_count} modes; its invariants are supplied at run time: call [`Self::check`] once \
+             they are."
         );
     }
     let visibility = visibility(options);
@@ -60,7 +61,7 @@ pub(super) fn parameter_struct(mode_count: usize, layout: &Layout, options: &Gen
 }
 
 /// Name, type and documentation of each field.
-fn fields(m: usize, layout: &Layout, scalar: &str) -> Vec<(&'static str, String, String)> {
+pub(super) fn fields(m: usize, layout: &Layout, scalar: &str) -> Vec<(&'static str, String, String)> {
     let tensor = |structure: Structure| match structure {
         Structure::Diagonal => format!("[{scalar}; 3]"),
         _ => format!("[[{scalar}; 3]; 3]"),
@@ -72,8 +73,10 @@ fn fields(m: usize, layout: &Layout, scalar: &str) -> Vec<(&'static str, String,
     };
     let read = |structure: Structure| match structure {
         Structure::Diagonal => " Its diagonal.",
-        Structure::Symmetric => " Symmetric: only the upper triangle is read.",
-        Structure::Antisymmetric => " Antisymmetric: only the upper triangle is read.",
+        Structure::Symmetric => " Symmetric: the upper triangle is read, the lower one must mirror it.",
+        Structure::Antisymmetric => {
+            " Antisymmetric: the upper triangle is read, the lower one must be its negative."
+        }
         _ => "",
     };
     let mut fields = vec![("mass", scalar.to_owned(), "Mass m. Units: kg.".to_owned())];
@@ -106,7 +109,10 @@ fn fields(m: usize, layout: &Layout, scalar: &str) -> Vec<(&'static str, String,
     add(
         "mode_mode_moment",
         open(layout.mode_mode_moment, format!("[[{list}; {m}]; {m}]")),
-        format!("Mode-mode moments T_μν, read where μ <= ν. Frame: body.{}", read(layout.mode_mode_moment)),
+        format!(
+            "Mode-mode moments T_μν, read where μ <= ν; T_νμ must be T_μνᵀ. Frame: body.{}",
+            read(layout.mode_mode_moment)
+        ),
     );
     if layout.has_own_modal_mass() {
         add("modal_mass", modal(layout.modal_mass), format!("Modal mass Θ_ff.{}", read(layout.modal_mass)));
