@@ -1,4 +1,4 @@
-//! Generated bodies: statements, loops over a whole table, loops over half of it, and every number type.
+//! Generated bodies: statements, loops over a whole table, loops over half of it, every number type, invariants at run time.
 
 use ffrf::nalgebra::{SVector, Vector3};
 use ffrf::{FlexibleBody, FreeBody, flexible_body};
@@ -15,6 +15,28 @@ flexible_body! {
 
 flexible_body! {
     struct Generic { model: "../../models/conrod.ffrf.json", scalar: generic }
+}
+
+flexible_body! {
+    struct AtRunTime { modes: 2, layout: { first_moment: zero, modal_mass: identity } }
+}
+
+/// Whether invariants that come at run time are checked, and the wrong number is named.
+fn invariants_are_checked(mass: f64) -> bool {
+    let third = [[1.0 / 3.0, 0.0, 0.0], [0.0, 1.0 / 3.0, 0.0], [0.0, 0.0, 1.0 / 3.0]];
+    let zero = [[0.0; 3]; 3];
+    let mut body = AtRunTime {
+        mass,
+        modal_first_moment: [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0]],
+        second_moment: [[2.0, 0.0, 0.0], [0.0, 1.0, 0.1], [0.0, 0.1, 3.0]],
+        position_mode_moment: [zero; 2],
+        mode_mode_moment: [[third, zero], [zero, third]],
+        stiffness: [[9.0, 1.0], [1.0, 9.0]],
+        damping: [[0.0; 2]; 2],
+    };
+    let sound = body.check().is_ok();
+    body.mode_mode_moment[1][0][2][0] = mass;
+    sound && body.check().is_err_and(|error| error.index.as_slice() == [1, 0, 2, 0] && error.found == mass)
 }
 
 /// Whether a spinning, vibrating body keeps its energy over some steps of both integrators, and every kernel runs.
@@ -61,6 +83,7 @@ pub fn every_form_flies() -> bool {
         && flies::<8, 14>(Generic, 1e-6, 1e-6)
         && flies::<20, 26>(ManyModes, 1e-4, 1e-3)
         && jacobians_agree()
+        && invariants_are_checked(core::hint::black_box(2.0))
 }
 
 /// M(q) from the residual's Jacobian.
