@@ -74,7 +74,7 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
         &self,
         tables: &LaneTables<V>,
         moments: P,
-    ) -> LaneBody<C, M, G, P>
+    ) -> LaneBody<'static, C, M, G, P>
     where
         F: Fn(V) -> C,
     {
@@ -106,7 +106,7 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
         Box::leak(rows)
     }
 
-    fn diagonal<V: Copy, const G: usize>(&self, diagonal: &Diagonal<V>) -> lanes::Diagonal<C, G>
+    fn diagonal<V: Copy, const G: usize>(&self, diagonal: &Diagonal<V>) -> lanes::Diagonal<'static, C, G>
     where
         F: Fn(V) -> C,
     {

@@ -70,7 +70,7 @@ fn half<const M: usize, const N: usize, const G: usize, const TILES: usize>(
 /// A body and its loops.
 struct Loops<const M: usize, const N: usize, const G: usize, P: 'static> {
     modes: usize,
-    body: LaneBody<f64, M, G, P>,
+    body: LaneBody<'static, f64, M, G, P>,
 }
 
 /// The numbers, padded with zero.

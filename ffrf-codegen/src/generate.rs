@@ -13,7 +13,7 @@ use crate::layout::{Layout, found};
 use crate::passes;
 use crate::report::{KernelReport, Report, Source};
 use crate::validate::ValidKernel;
-use crate::{CodegenError, GenerateOptions, Strategy};
+use crate::{CodegenError, GenerateOptions};
 
 /// A generated body.
 #[derive(Debug, Clone)]
@@ -56,17 +56,15 @@ pub fn generate_with_layout(
 ) -> Result<GeneratedCode, CodegenError> {
     layout.check_body(mode_count, &options.fidelity)?;
     check_name(&options.name)?;
-    if options.strategy == Strategy::Lanes {
-        return Err(CodegenError::NoLanes {
-            reason: "they need constant tables, here the invariants come at run time",
-        });
-    }
     let mut graph = Graph::new();
     let expressions =
         BodyExpressions::symbolic(&mut graph, mode_count, layout).truncated(&mut graph, &options.fidelity);
-    let kernels = kernels(&graph, &expressions, options, true, &[])?;
-    let report = report(mode_count, None, *layout, &kernels);
-    let text = emit::parameter_body(&kernels, &report, options);
+    let lanes = lanes::choose_parameters(mode_count, layout, options)?;
+    let looped: &[KernelKind] = if lanes.is_some() { &lanes::IN_LANES } else { &[] };
+    let kernels = kernels(&graph, &expressions, options, true, looped)?;
+    let mut report = report(mode_count, None, *layout, &kernels);
+    report.lanes = lanes.as_ref().map(lanes::LaneParameters::description);
+    let text = emit::parameter_body(&kernels, lanes.as_ref(), &report, options);
     finish(text, report)
 }
 

@@ -112,7 +112,7 @@ pub enum Strategy {
     Auto,
     /// Statements only, whatever their number.
     StraightLine,
-    /// Loops over lanes of modes with constant tables; an error where that is impossible.
+    /// Loops over lanes of modes; an error where that is impossible.
     Lanes,
 }
 

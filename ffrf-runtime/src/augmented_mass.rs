@@ -2,6 +2,8 @@
 
 use nalgebra::{Cholesky, Const, RealField, SMatrix, SVector};
 
+use crate::phase::part;
+
 /// Factors of M^ = M(q) + diag(0, 0, S), with S = γ h D_ff + γ² h² K_ff, flexible block first.
 ///
 /// With M = [M_rr C; Cᵀ Θ_ff], the modes are eliminated through Θ_ff + S and the rigid motion follows from the
@@ -31,7 +33,7 @@ impl<const M: usize, T: RealField + Copy> AugmentedMass<M, T> {
     /// Solves M^ w = `right`. Shape: N.
     pub fn solve<const N: usize>(&self, right: &SVector<T, N>) -> SVector<T, N> {
         const { assert!(N == 6 + M, "a body with M modes has N = 6 + M velocities") };
-        let alone = self.flexible.solve(&right.fixed_rows::<M>(6).into_owned());
+        let alone = self.flexible.solve(&part::<M, N, T>(right, 6));
         let rigid = self.rigid.solve(&(right.fixed_rows::<6>(0) - self.coupling.tr_mul(&alone)));
         let flexible = alone - self.followed * rigid;
         let mut solution = SVector::<T, N>::zeros();

@@ -32,7 +32,7 @@
 use nalgebra::{RealField, SVector, Vector3};
 
 use crate::augmented_mass::AugmentedMass;
-use crate::phase::{Phase, rates};
+use crate::phase::{Phase, part, rates};
 use crate::rotation::quaternion_rate;
 use crate::step::checked_step_size;
 use crate::{FlexibleBody, Load, State, StepError, StepReport};
@@ -80,7 +80,7 @@ where
             right[6 + mu] -= pull[mu];
         }
         let k = matrix.solve(&right);
-        let modal_rates = k.fixed_rows::<M>(6).into_owned();
+        let modal_rates = part::<M, N, T>(&k, 6);
         Phase {
             position: residual.position,
             quaternion: residual.quaternion,

@@ -107,6 +107,21 @@ where
     Ok(from_acceleration(phase, &state, &acceleration))
 }
 
+/// The `K` entries of a vector from `start` on; zero beyond its end.
+///
+/// In plain loops: an iterator over a view can panic for all that the optimiser sees of it.
+#[inline(always)]
+pub(crate) fn part<const K: usize, const N: usize, T: RealField + Copy>(
+    vector: &SVector<T, N>,
+    start: usize,
+) -> SVector<T, K> {
+    let mut part = [T::zero(); K];
+    for (place, entry) in part.iter_mut().zip(vector.as_slice().iter().skip(start)) {
+        *place = *entry;
+    }
+    crate::generated_support::vector(part)
+}
+
 /// The rates of `phase` when its accelerations [α; ω̇; q̈] are known.
 pub(crate) fn from_acceleration<const M: usize, const N: usize, T: RealField + Copy>(
     phase: &Phase<M, T>,
@@ -118,8 +133,8 @@ pub(crate) fn from_acceleration<const M: usize, const N: usize, T: RealField + C
         position: phase.velocity,
         quaternion: quaternion_rate(&phase.quaternion, &phase.angular_velocity),
         modal_coordinates: phase.modal_rates,
-        velocity: state.to_inertial(&acceleration.fixed_rows::<3>(0).into_owned()),
-        angular_velocity: acceleration.fixed_rows::<3>(3).into_owned(),
-        modal_rates: acceleration.fixed_rows::<M>(6).into_owned(),
+        velocity: state.to_inertial(&part(acceleration, 0)),
+        angular_velocity: part(acceleration, 3),
+        modal_rates: part(acceleration, 6),
     }
 }

@@ -1,11 +1,15 @@
 //! The loops run on expressions: what every kernel over lanes computes, written down.
 
-use ffrf::generated_support::lanes::{LaneBody, MomentTable};
+use ffrf::generated_support::lanes::{
+    Dense, LaneBody, MomentStructure, MomentTable, ParameterDiagonal, ParameterMoments, Parameters,
+    Symmetric, traces,
+};
 use ffrf_codegen::ScalarType;
-use ffrf_codegen::body::BodyExpressions;
+use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::formulate::State;
 use ffrf_codegen::lanes::LaneTables;
+use ffrf_codegen::layout::{Layout, Structure};
 
 use crate::lane_body::Bodies;
 use crate::symbolic::{Symbolic, record};
@@ -94,9 +98,40 @@ fn translation_compliance(graph: &mut Graph, body: &BodyExpressions) -> [Express
     cofactors.map(|cofactor| graph.divide(cofactor, determinant))
 }
 
+/// Invariants read from fields at run time: the general layout with Θ_ff = I, full fidelity.
+pub fn fields<const M: usize, const N: usize, const G: usize>(graph: &mut Graph, layout: &Layout) -> Loops {
+    let raw = raw_inertia(graph, M, layout);
+    let matrix = |matrix: &[[Expression; 3]; 3]| matrix.map(|row| row.map(Symbolic));
+    let list = |rows: &[[Expression; 3]]| std::array::from_fn(|mu| rows[mu].map(Symbolic));
+    let position: [_; M] = std::array::from_fn(|mu| matrix(&raw.position_mode_moment[mu]));
+    let moments: [[_; M]; M] =
+        std::array::from_fn(|mu| std::array::from_fn(|nu| matrix(&raw.mode_mode_moment[mu][nu])));
+    let tables = record(graph, || {
+        let components = position.map(|moment| Dense::components(&moment));
+        let parameters = Parameters {
+            mass: Symbolic(raw.mass),
+            first_moment: Some(raw.first_moment.map(Symbolic)),
+            modal_first_moment: Some(list(&raw.modal_first_moment)),
+            second_moment: Symmetric::components(&matrix(&raw.second_moment)),
+            position_mode_even: Some(components),
+            position_mode_odd: Some(components),
+            modal_mass: match layout.modal_mass {
+                Structure::Identity => ParameterDiagonal::Identity,
+                _ => ParameterDiagonal::Entries(traces::<_, Dense, M>(&moments)),
+            },
+            has_trace: true,
+            stiffness: ParameterDiagonal::Zero,
+            damping: ParameterDiagonal::Zero,
+        };
+        parameters.tables::<G>()
+    });
+    let moments = ParameterMoments::<'_, Symbolic, Dense, M, true, true>::new(&moments);
+    run::<M, N, G, _>(graph, &tables.body(moments))
+}
+
 fn run<const M: usize, const N: usize, const G: usize, P: MomentTable<Symbolic, M, G>>(
     graph: &mut Graph,
-    body: &LaneBody<Symbolic, M, G, P>,
+    body: &LaneBody<'_, Symbolic, M, G, P>,
 ) -> Loops {
     let inputs = State::symbolic(graph, M);
     let list =

@@ -4,13 +4,13 @@ use std::time::Instant;
 
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
-use ffrf_codegen::expression::Graph;
+use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::fidelity::Fidelity;
 use ffrf_codegen::layout::{Layout, Structure};
 use ffrf_codegen::polynomial::polynomials_of;
 
 use crate::compare::Equations;
-use crate::loops::{Compiled, half, whole};
+use crate::loops::{Compiled, Loops, fields, half, whole};
 use crate::{fidelities, layouts};
 
 /// Proves the polynomial kernels of one body; returns the number of monomials compared.
@@ -22,14 +22,18 @@ fn prove(modes: usize, compiled: Compiled, layout: &Layout, fidelity: &Fidelity)
     let derived = EulerPoincare::new(&mut graph, energy, modes);
     let body = BodyExpressions::symbolic(&mut graph, modes, layout).truncated(&mut graph, fidelity);
     let loops = compiled(&mut graph, &body);
+    compare(&graph, loops, energy, &derived, &case)
+}
 
-    let fast = Equations::of(&graph, &loops.mass_matrix, &loops.quadratic_velocity);
-    let slow = Equations::derived(&graph, &derived);
+/// Compares all polynomials; returns the number of monomials.
+fn compare(graph: &Graph, loops: Loops, energy: Expression, derived: &EulerPoincare, case: &str) -> usize {
+    let fast = Equations::of(graph, &loops.mass_matrix, &loops.quadratic_velocity);
+    let slow = Equations::derived(graph, derived);
     assert_eq!(fast.differences(&slow), Vec::<String>::new(), "{case}");
     let found = [vec![loops.kinetic_energy], loops.angular_momentum].concat();
     let expected = [&[energy], &derived.momentum[3..6]].concat();
-    let found = polynomials_of(&graph, &found).unwrap();
-    let expected = polynomials_of(&graph, &expected).unwrap();
+    let found = polynomials_of(graph, &found).unwrap();
+    let expected = polynomials_of(graph, &expected).unwrap();
     assert_eq!(found, expected, "{case}: energy or angular momentum");
     slow.monomials() + expected.iter().map(|polynomial| polynomial.term_count()).sum::<usize>()
 }
@@ -75,4 +79,27 @@ fn loops_over_pairs_of_groups_equal_the_derived_equations() {
 fn loops_over_half_of_the_moments_equal_the_derived_equations() {
     prove_all(21, half::<21, 27, 6, 4, 6, 120>, &two_layouts(), &[Fidelity::Full]);
     prove_all(28, half::<28, 34, 8, 8, 4, 48>, &two_layouts()[..1], &[Fidelity::Full]);
+}
+
+/// Invariants that come at run time, read from the fields of a struct.
+#[test]
+fn loops_over_fields_equal_the_derived_equations() {
+    fn prove<const M: usize, const N: usize, const G: usize>(modal_mass: Structure) -> usize {
+        let layout = Layout { modal_mass, ..Layout::GENERAL };
+        let mut graph = Graph::new();
+        let raw = raw_inertia(&mut graph, M, &layout);
+        let energy = KineticEnergy::new(&mut graph, &raw);
+        let energy = energy.truncated(&mut graph, &Fidelity::Full);
+        let derived = EulerPoincare::new(&mut graph, energy, M);
+        let loops = fields::<M, N, G>(&mut graph, &layout);
+        compare(&graph, loops, energy, &derived, &format!("M = {M}, {layout}"))
+    }
+    for modal_mass in [Structure::Identity, Structure::Diagonal] {
+        let monomials = prove::<1, 7, 1>(modal_mass)
+            + prove::<2, 8, 1>(modal_mass)
+            + prove::<3, 9, 1>(modal_mass)
+            + prove::<4, 10, 1>(modal_mass)
+            + prove::<6, 12, 2>(modal_mass);
+        eprintln!("fields, {modal_mass:?}: {monomials} monomials");
+    }
 }

@@ -9,7 +9,7 @@ use crate::columns::States;
 use crate::timing::Column;
 
 /// A body without symmetry and with Θ_ff = I. Its numbers are no body's: time does not depend on them.
-fn body<const M: usize, const G: usize, P>(moments: P) -> LaneBody<f64, M, G, P> {
+fn body<const M: usize, const G: usize, P>(moments: P) -> LaneBody<'static, f64, M, G, P> {
     LaneBody {
         mass: 3.0,
         first_moment: Some([0.1, 0.2, 0.3]),

@@ -20,7 +20,7 @@ use ffrf_model::ReducedBody;
 
 use self::function::{FunctionStyle, function};
 use crate::GenerateOptions;
-use crate::lanes::{self, LaneTables};
+use crate::lanes::{self, LaneParameters, LaneTables};
 use crate::layout::Layout;
 use crate::report::Report;
 use crate::validate::ValidKernel;
@@ -40,18 +40,28 @@ pub(crate) fn baked_body(
     text.push('\n');
     let mut methods = lanes.map_or_else(String::new, |lanes| lanes::trait_method(lanes, options.scalar));
     methods.push_str(&markers::trait_methods(body, options));
-    text.push_str(&kernels_block(kernels, lanes, options, None, &methods));
+    let modes = report.mode_count;
+    let loops =
+        lanes.map(|lanes| lanes::functions(lanes, options.scalar, |kind| documentation::of(kind, modes)));
+    text.push_str(&kernels_block(kernels, loops, options, None, &methods));
     text
 }
 
 /// The whole text of a body whose invariants are supplied at run time.
-pub(crate) fn parameter_body(kernels: &[ValidKernel], report: &Report, options: &GenerateOptions) -> String {
+pub(crate) fn parameter_body(
+    kernels: &[ValidKernel],
+    lanes: Option<&LaneParameters>,
+    report: &Report,
+    options: &GenerateOptions,
+) -> String {
     let mut text = head(report, options);
     text.push_str(&parameters::parameter_struct(report.mode_count, &report.layout, options));
     text.push('\n');
     text.push_str(&check::inherent_method(report.mode_count, &report.layout, options));
     text.push('\n');
-    text.push_str(&kernels_block(kernels, None, options, Some((&options.name, &report.layout)), ""));
+    let loops =
+        lanes.map(|lanes| lanes.functions(options, |kind| documentation::of(kind, report.mode_count)));
+    text.push_str(&kernels_block(kernels, loops, options, Some((&options.name, &report.layout)), ""));
     text
 }
 
@@ -68,7 +78,7 @@ fn head(report: &Report, options: &GenerateOptions) -> String {
 /// Functions and trait implementation in a scope of their own, so that no name can clash.
 fn kernels_block(
     kernels: &[ValidKernel],
-    lanes: Option<&LaneTables>,
+    loops: Option<String>,
     options: &GenerateOptions,
     parameters: Option<(&str, &Layout)>,
     extra_methods: &str,
@@ -76,10 +86,9 @@ fn kernels_block(
     let style = FunctionStyle { scalar: options.scalar, parameters };
     let functions: Vec<String> = kernels.iter().map(|kernel| function(kernel, style, "    ")).collect();
     let mut functions = functions.join("\n");
-    if let Some(lanes) = lanes {
+    if let Some(loops) = loops {
         functions.push('\n');
-        functions
-            .push_str(&lanes::functions(lanes, options.scalar, |kind| documentation::of(kind, lanes.modes)));
+        functions.push_str(&loops);
     }
     let mode_count = kernels.first().map_or(0, |kernel| kernel.kernel().mode_count);
     let mut text = String::from(ALLOWED);

@@ -11,7 +11,7 @@ use crate::options::Strategy;
 use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
 
 /// From this number of modes on, lanes are chosen. Measured, see benches/kernels.md.
-const LANES_FROM: usize = 7;
+pub(super) const LANES_FROM: usize = 7;
 
 /// The tables in the code that [`generate`](crate::generate) makes of a body; `None` if that code is straight-line.
 ///

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::kernels_text::{Form, KernelText};
 use super::{Diagonal, LaneTables, MomentTables, Table};
 use crate::ScalarType;
 use crate::emit::literal;
@@ -27,19 +28,10 @@ pub(crate) fn functions(
     document: impl Fn(KernelKind) -> Vec<String>,
 ) -> String {
     let mut text = statics(tables, scalar);
-    let (modes, size, groups) = (tables.modes, 6 + tables.modes, tables.groups);
+    let (modes, groups) = (tables.modes, tables.groups);
     let (name, generics) = (scalar.type_name(), scalar.generics());
-    let (coordinates, space, vector) =
-        (format!("&[{name}; {modes}]"), format!("&[{name}; 3]"), format!("[{name}; {size}]"));
+    let (coordinates, space) = (format!("&[{name}; {modes}]"), format!("&[{name}; 3]"));
     let form = Form::of(scalar);
-    let [q, q_dot, velocity, omega] = ["q", "q_dot", "velocity", "omega"].map(|name| form.input(name));
-    let net = match tables.internal {
-        Some(_) => form.input("force"),
-        None => {
-            let internal = form.input("&internal_force(q, q_dot)");
-            format!("&support::lanes::net_force({}, {internal})", form.input("force"))
-        }
-    };
     // Few modes: one function is fastest. Many: what all kernels share is kept once.
     let inline = if modes <= LARGEST_INLINE { "#[inline(always)]" } else { "#[inline(never)]" };
     let _ = write!(
@@ -52,120 +44,30 @@ pub(crate) fn functions(
         omega: {space},
         q_dot: {coordinates},
     ) -> support::lanes::State<{}, {groups}> {{
-        BODY.state({q}, {}, {q_dot})
+        BODY.state({}, {}, {})
     }}
 ",
         form.register_scalar(name),
-        form.value("omega")
+        form.input("q"),
+        form.value("omega"),
+        form.input("q_dot")
     );
-    for kind in IN_LANES {
-        let state = format!("q: {coordinates}, omega: {space}, q_dot: {coordinates}");
-        let moving = format!("q: {coordinates}, velocity: {space}, omega: {space}, q_dot: {coordinates}");
-        let at = "&state(q, omega, q_dot)";
-        let zero = form.zero();
-        let (inputs, result, arguments) = match kind {
-            KernelKind::MassMatrix => (
-                format!("q: {coordinates}"),
-                format!("[{vector}; {size}]"),
-                format!("&state(q, &[{zero}; 3], &[{zero}; {modes}])"),
-            ),
-            KernelKind::QuadraticVelocity => (state, vector.clone(), at.to_owned()),
-            KernelKind::ForwardDynamics => {
-                (format!("{state}, force: &{vector}"), vector.clone(), format!("{at}, {q}, {q_dot}, {net}"))
-            }
-            KernelKind::EquationsOfMotion => (
-                format!("{state}, force: &{vector}"),
-                format!("([{vector}; {size}], {vector}, {vector})"),
-                format!("{at}, {q}, {q_dot}, {net}"),
-            ),
-            KernelKind::AngularMomentum => {
-                (moving, format!("[{name}; 3]"), format!("{at}, {velocity}, {omega}"))
-            }
-            _ => (moving, name.to_owned(), format!("{at}, {velocity}, {omega}, {q_dot}")),
-        };
-        text.push('\n');
-        for line in document(kind) {
-            let _ = writeln!(text, "    /// {line}");
-        }
-        let function = kind.name();
-        let _ = write!(
-            text,
-            "    #[inline]
-    fn {function}{generics}(
-        {},
-    ) -> {result} {{
-        {}
-    }}
-",
-            inputs.replace(", ", ",\n        ").replace(",\n        &", ", &"),
-            form.result(kind, &format!("BODY.{function}({arguments})"))
-        );
-    }
+    let zero = form.zero();
+    let kernels = KernelText {
+        modes,
+        scalar,
+        parameters: String::new(),
+        preparation: "",
+        loops: "BODY",
+        state: "&state(q, omega, q_dot)".to_owned(),
+        state_at_rest: format!("&state(q, &[{zero}; 3], &[{zero}; {modes}])"),
+        net_force: match tables.internal {
+            Some(_) => form.input("force"),
+            None => form.net_force("&internal_force(q, q_dot)"),
+        },
+    };
+    text.push_str(&kernels.functions(document));
     text
-}
-
-/// How values get into the loops and out of them.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Form {
-    /// The scalars of the loops are those of the functions.
-    Plain,
-    /// Any number type is wrapped on its way in and unwrapped on its way out.
-    Wrapped,
-}
-
-impl Form {
-    fn of(scalar: ScalarType) -> Self {
-        if scalar == ScalarType::Generic { Self::Wrapped } else { Self::Plain }
-    }
-
-    /// The scalar type of the loops.
-    fn register_scalar(self, name: &str) -> String {
-        match self {
-            Self::Plain => name.to_owned(),
-            Self::Wrapped => format!("support::lanes::Real<{name}>"),
-        }
-    }
-
-    /// A reference to an array, as an argument of the loops.
-    fn input(self, reference: &str) -> String {
-        match self {
-            Self::Plain => reference.to_owned(),
-            Self::Wrapped => format!("&support::lanes::reals({reference})"),
-        }
-    }
-
-    /// What a reference to an array points to, as an argument of the loops.
-    fn value(self, reference: &str) -> String {
-        match self {
-            Self::Plain => format!("*{reference}"),
-            Self::Wrapped => format!("support::lanes::reals({reference})"),
-        }
-    }
-
-    fn zero(self) -> &'static str {
-        match self {
-            Self::Plain => "0.0",
-            Self::Wrapped => "support::constant(0.0)",
-        }
-    }
-
-    /// The result of a kernel from that of the loops.
-    fn result(self, kind: KernelKind, call: &str) -> String {
-        match (self, kind) {
-            (Self::Plain, _) => call.to_owned(),
-            (Self::Wrapped, KernelKind::MassMatrix) => format!("{call}.map(support::lanes::numbers)"),
-            (Self::Wrapped, KernelKind::EquationsOfMotion) => format!(
-                "let (mass_matrix, quadratic_velocity, acceleration) = {call};
-        (
-            mass_matrix.map(support::lanes::numbers),
-            support::lanes::numbers(quadratic_velocity),
-            support::lanes::numbers(acceleration),
-        )"
-            ),
-            (Self::Wrapped, KernelKind::KineticEnergy) => format!("{call}.0"),
-            (Self::Wrapped, _) => format!("support::lanes::numbers({call})"),
-        }
-    }
 }
 
 /// The method of the trait that writes its results in place; a generic body has none, as its results are moved anyway.

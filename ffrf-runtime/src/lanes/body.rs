@@ -2,46 +2,46 @@
 
 /// A diagonal matrix over the modes, in groups of four; `C` is the type of the constants.
 #[derive(Debug, Clone, Copy)]
-pub enum Diagonal<C: 'static, const G: usize> {
+pub enum Diagonal<'a, C, const G: usize> {
     /// Nothing: a dropped term.
     Zero,
     /// Ones.
     Identity,
     /// These entries.
-    Entries(&'static [[C; 4]; G]),
+    Entries(&'a [[C; 4]; G]),
 }
 
-/// The constant invariants of a body with `M` modes in `G` groups of four lanes, padded with zero.
+/// The invariants of a body with `M` modes in `G` groups of four lanes, padded with zero.
 ///
 /// Frame: body. `C` is the type of the constants: that of the scalars which the kernels compute with, or the one
 /// that these are made from ([`Scalar::Constant`](super::Scalar::Constant)). `P` is the table of the moments T_μν.
 /// A layout without a term has `None` in its place.
 #[derive(Debug, Clone, Copy)]
-pub struct LaneBody<C: 'static, const M: usize, const G: usize, P: 'static> {
+pub struct LaneBody<'a, C, const M: usize, const G: usize, P> {
     /// Mass m. Units: kg.
     pub mass: C,
     /// First moment m a. Shape: 3. Units: kg m.
     pub first_moment: Option<[C; 3]>,
     /// Modal first moments m b_μ. Shape: groups of 3 registers.
-    pub modal_first_moment: Option<&'static [[[C; 4]; 3]; G]>,
+    pub modal_first_moment: Option<&'a [[[C; 4]; 3]; G]>,
     /// Inertia tensor Θ: xx, yy, zz, xy, xz, yz. Units: kg m².
     pub inertia: [C; 6],
     /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹: xx, yy, zz, xy, xz, yz. Units: 1/kg.
     pub translation_compliance: [C; 6],
     /// tr T_μ, then yy, zz, xy + yx, xz + zx, yz + zy of T_μ. Shape: groups of 6 registers.
-    pub position_mode_even: Option<&'static [[[C; 4]; 6]; G]>,
+    pub position_mode_even: Option<&'a [[[C; 4]; 6]; G]>,
     /// ϑ_μ. Shape: groups of 3 registers.
-    pub position_mode_odd: Option<&'static [[[C; 4]; 3]; G]>,
+    pub position_mode_odd: Option<&'a [[[C; 4]; 3]; G]>,
     /// tr T_μν, which multiplies q in the trace of T_μ^d.
-    pub trace: Diagonal<C, G>,
+    pub trace: Diagonal<'a, C, G>,
     /// Θ_ff.
-    pub modal_mass: Diagonal<C, G>,
+    pub modal_mass: Diagonal<'a, C, G>,
     /// Θ_ff⁻¹.
-    pub modal_compliance: Diagonal<C, G>,
+    pub modal_compliance: Diagonal<'a, C, G>,
     /// K_ff if it is diagonal; otherwise zero, and elastic forces are subtracted from `force` by the caller.
-    pub stiffness: Diagonal<C, G>,
+    pub stiffness: Diagonal<'a, C, G>,
     /// D_ff in the same way.
-    pub damping: Diagonal<C, G>,
+    pub damping: Diagonal<'a, C, G>,
     /// Moments T_μν.
     pub moments: P,
 }

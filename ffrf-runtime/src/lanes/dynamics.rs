@@ -5,7 +5,7 @@ use super::rigid::{dot, inverse, subtract, times};
 use super::scalar::{Register, four, grouped, groups, ungroup};
 use super::{LaneBody, Lanes, Scalar};
 
-impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Mass matrix M(q), columns of N = 6 + M entries. Source: (203).
     #[inline(always)]
     pub fn mass_matrix<T: Scalar<Constant = C>, const N: usize>(&self, state: &State<T, G>) -> [[T; N]; N] {

@@ -5,7 +5,7 @@ use super::rigid::{add, cross, dot, times};
 use super::scalar::{Register, groups};
 use super::{LaneBody, Lanes, Scalar};
 
-impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Kinetic energy. Units: J. Source: MATH.md, the sum of all kept terms.
     #[inline(always)]
     pub fn kinetic_energy<T: Scalar<Constant = C>>(

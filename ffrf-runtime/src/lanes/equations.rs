@@ -31,7 +31,7 @@ impl<T: Scalar, const G: usize> State<T, G> {
     }
 }
 
-impl<C: Copy, const G: usize> Diagonal<C, G> {
+impl<C: Copy, const G: usize> Diagonal<'_, C, G> {
     /// The entries of a group times `lanes`.
     #[inline(always)]
     pub(super) fn times<T: Scalar<Constant = C>>(&self, group: usize, lanes: Register<T>) -> Register<T> {
@@ -73,7 +73,7 @@ pub(super) fn sums<T: Scalar, const K: usize>(registers: [Register<T>; K]) -> [T
     result
 }
 
-impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Deformed invariants and quadratic velocity vector of one state. What is not used costs nothing.
     #[inline(always)]
     pub fn state<T: Scalar<Constant = C>>(&self, q: &[T; M], omega: [T; 3], q_dot: &[T; M]) -> State<T, G>

@@ -4,7 +4,7 @@ use super::equations::State;
 use super::scalar::{Register, four, ungroup};
 use super::{Diagonal, Four, LaneBody, Lanes, Scalar};
 
-impl<C: Copy, const M: usize, const G: usize, P> LaneBody<C, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Writes M(q), columns of N = 6 + M entries. Source: (203), body-resolved, signs corrected.
     #[inline(always)]
     pub(super) fn write_mass_matrix<T: Scalar<Constant = C>, const N: usize>(

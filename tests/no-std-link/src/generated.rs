@@ -39,6 +39,36 @@ fn invariants_are_checked(mass: f64) -> bool {
     sound && body.check().is_err_and(|error| error.index.as_slice() == [1, 0, 2, 0] && error.found == mass)
 }
 
+flexible_body! {
+    /// Nine modes whose invariants come at run time.
+    struct Fields {
+        modes: 9,
+        layout: { modal_first_moment: zero, modal_mass: identity, stiffness: diagonal, damping: zero },
+    }
+}
+
+fn fields() -> Fields {
+    let third = 1.0 / 3.0;
+    let mut moments = [[[[0.0; 3]; 3]; 9]; 9];
+    for (mu, row) in moments.iter_mut().enumerate() {
+        for (nu, moment) in row.iter_mut().enumerate() {
+            let odd = 0.01 * (mu as f64 - nu as f64);
+            *moment = [[0.0, odd, 0.0], [-odd, 0.0, 0.0], [0.0; 3]];
+            if mu == nu {
+                *moment = [[third, 0.0, 0.0], [0.0, third, 0.0], [0.0, 0.0, third]];
+            }
+        }
+    }
+    Fields {
+        mass: 3.0,
+        first_moment: [0.1, 0.0, 0.2],
+        second_moment: [[5.0, 0.0, 0.0], [0.0, 6.0, 0.0], [0.0, 0.0, 7.0]],
+        position_mode_moment: [[[0.0, 0.1, 0.0], [0.2, 0.0, 0.0], [0.0, 0.0, 0.1]]; 9],
+        mode_mode_moment: moments,
+        stiffness: [100.0; 9],
+    }
+}
+
 /// Whether a spinning, vibrating body keeps its energy over some steps of both integrators, and every kernel runs.
 fn flies<const M: usize, const N: usize>(body: impl FlexibleBody<M, N> + Copy, step: f64, q: f64) -> bool {
     let mut flight = FreeBody::<_, M, N>::new(body)
@@ -82,6 +112,7 @@ pub fn every_form_flies() -> bool {
         && flies::<8, 14>(EightModes, 1e-6, 1e-6)
         && flies::<8, 14>(Generic, 1e-6, 1e-6)
         && flies::<20, 26>(ManyModes, 1e-4, 1e-3)
+        && flies::<9, 15>(fields(), 1e-4, 1e-3)
         && jacobians_agree()
         && invariants_are_checked(core::hint::black_box(2.0))
 }

@@ -1,0 +1,268 @@
+//! Bodies whose invariants come at run time: tables made from them, call by call, for the same loops.
+//!
+//! Only what grows with M is put in lanes; the moments T_μν, which grow with M², are read where they are.
+
+use core::marker::PhantomData;
+
+use super::moment_structure::{MomentComponents, MomentStructure};
+use super::rigid::inverse;
+use super::{Diagonal, LaneBody, MomentTable, Moments, Scalar};
+
+/// A diagonal matrix over the modes that is known when compiling or when running.
+#[derive(Debug, Clone, Copy)]
+pub enum ParameterDiagonal<C, const M: usize> {
+    /// Nothing.
+    Zero,
+    /// Ones.
+    Identity,
+    /// These entries.
+    Entries([C; M]),
+}
+
+/// The invariants of a body with `M` modes. What the layout or the fidelity leaves out is `None`.
+#[derive(Debug, Clone, Copy)]
+pub struct Parameters<C, const M: usize> {
+    /// Mass m. Units: kg.
+    pub mass: C,
+    /// First moment m a. Shape: 3.
+    pub first_moment: Option<[C; 3]>,
+    /// m b_μ. Shape: M x 3.
+    pub modal_first_moment: Option<[[C; 3]; M]>,
+    /// Components of the second moment T.
+    pub second_moment: MomentComponents<C>,
+    /// Components of T_μ of which the even ones are used. Shape: M.
+    pub position_mode_even: Option<[MomentComponents<C>; M]>,
+    /// Components of T_μ of which the odd ones are used. Shape: M.
+    pub position_mode_odd: Option<[MomentComponents<C>; M]>,
+    /// Θ_ff.
+    pub modal_mass: ParameterDiagonal<C, M>,
+    /// Whether the trace of T_μν, which is Θ_ff, changes the inertia.
+    pub has_trace: bool,
+    /// K_ff if it is diagonal.
+    pub stiffness: ParameterDiagonal<C, M>,
+    /// D_ff if it is diagonal.
+    pub damping: ParameterDiagonal<C, M>,
+}
+
+/// [`Parameters`] in groups of four lanes.
+pub struct ParameterTables<C, const M: usize, const G: usize> {
+    mass: C,
+    first_moment: Option<[C; 3]>,
+    modal_first_moment: Option<[[[C; 4]; 3]; G]>,
+    inertia: [C; 6],
+    translation_compliance: [C; 6],
+    position_mode_even: Option<[[[C; 4]; 6]; G]>,
+    position_mode_odd: Option<[[[C; 4]; 3]; G]>,
+    modal_mass: ParameterGroups<C, G>,
+    modal_compliance: ParameterGroups<C, G>,
+    has_trace: bool,
+    stiffness: ParameterGroups<C, G>,
+    damping: ParameterGroups<C, G>,
+}
+
+enum ParameterGroups<C, const G: usize> {
+    Zero,
+    Identity,
+    Entries([[C; 4]; G]),
+}
+
+impl<C, const G: usize> ParameterGroups<C, G> {
+    #[inline(always)]
+    fn borrow(&self) -> Diagonal<'_, C, G> {
+        match self {
+            Self::Zero => Diagonal::Zero,
+            Self::Identity => Diagonal::Identity,
+            Self::Entries(entries) => Diagonal::Entries(entries),
+        }
+    }
+}
+
+/// Rows of `K` numbers, one row per mode, as `K` registers per group.
+#[inline(always)]
+fn in_lanes<C: Scalar, const K: usize, const M: usize, const G: usize>(
+    rows: [[C; K]; M],
+) -> [[[C; 4]; K]; G] {
+    let mut groups = [[[C::zero(); 4]; K]; G];
+    let (whole, rest) = rows.as_chunks::<4>();
+    for (group, rows) in groups.iter_mut().zip(whole) {
+        for (k, register) in group.iter_mut().enumerate() {
+            *register = [rows[0][k], rows[1][k], rows[2][k], rows[3][k]];
+        }
+    }
+    if let Some(group) = groups.get_mut(whole.len()) {
+        for (k, register) in group.iter_mut().enumerate() {
+            for (lane, row) in register.iter_mut().zip(rest) {
+                *lane = row[k];
+            }
+        }
+    }
+    groups
+}
+
+#[inline(always)]
+fn diagonal_in_lanes<C: Scalar, const M: usize, const G: usize>(
+    diagonal: ParameterDiagonal<C, M>,
+) -> ParameterGroups<C, G> {
+    match diagonal {
+        ParameterDiagonal::Zero => ParameterGroups::Zero,
+        ParameterDiagonal::Identity => ParameterGroups::Identity,
+        ParameterDiagonal::Entries(entries) => ParameterGroups::Entries(
+            in_lanes::<C, 1, M, G>(entries.map(|entry| [entry])).map(|[group]| group),
+        ),
+    }
+}
+
+impl<C: Scalar, const M: usize> Parameters<C, M> {
+    /// The tables. Θ_ff and the mass left for translation are inverted here, once a call.
+    #[inline(always)]
+    pub fn tables<const G: usize>(self) -> ParameterTables<C, M, G> {
+        const { assert!(4 * G >= M) };
+        let modal_compliance = match self.modal_mass {
+            ParameterDiagonal::Entries(entries) => {
+                ParameterDiagonal::Entries(entries.map(|mass| C::one() / mass))
+            }
+            other => other,
+        };
+        let [trace, yy, zz, xy, xz, yz] = self.second_moment.even;
+        let half = C::half();
+        ParameterTables {
+            mass: self.mass,
+            first_moment: self.first_moment,
+            translation_compliance: self.translation_compliance(&modal_compliance),
+            modal_first_moment: self.modal_first_moment.map(in_lanes),
+            // The even components hold both halves of a symmetric matrix.
+            inertia: [yy + zz, trace - yy, trace - zz, -half * xy, -half * xz, -half * yz],
+            position_mode_even: self
+                .position_mode_even
+                .map(|moments| in_lanes(moments.map(|moment| moment.even))),
+            position_mode_odd: self
+                .position_mode_odd
+                .map(|moments| in_lanes(moments.map(|moment| moment.odd))),
+            modal_mass: diagonal_in_lanes(self.modal_mass),
+            modal_compliance: diagonal_in_lanes(modal_compliance),
+            has_trace: self.has_trace,
+            stiffness: diagonal_in_lanes(self.stiffness),
+            damping: diagonal_in_lanes(self.damping),
+        }
+    }
+
+    /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹.
+    #[inline(always)]
+    fn translation_compliance(&self, modal_compliance: &ParameterDiagonal<C, M>) -> [C; 6] {
+        let zero = C::zero();
+        let mut left = [self.mass, self.mass, self.mass, zero, zero, zero];
+        if let Some(rows) = &self.modal_first_moment {
+            for (mu, b) in rows.iter().enumerate() {
+                let weighted = match modal_compliance {
+                    ParameterDiagonal::Entries(entries) => b.map(|entry| entry * entries[mu]),
+                    _ => *b,
+                };
+                for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+                    left[k] -= b[i] * weighted[j];
+                }
+            }
+        }
+        inverse(left)
+    }
+}
+
+impl<C: Copy, const M: usize, const G: usize> ParameterTables<C, M, G> {
+    /// The body for the loops, with its moments.
+    #[inline(always)]
+    pub fn body<P>(&self, moments: P) -> LaneBody<'_, C, M, G, P> {
+        LaneBody {
+            mass: self.mass,
+            first_moment: self.first_moment,
+            modal_first_moment: self.modal_first_moment.as_ref(),
+            inertia: self.inertia,
+            translation_compliance: self.translation_compliance,
+            position_mode_even: self.position_mode_even.as_ref(),
+            position_mode_odd: self.position_mode_odd.as_ref(),
+            trace: if self.has_trace { self.modal_mass.borrow() } else { Diagonal::Zero },
+            modal_mass: self.modal_mass.borrow(),
+            modal_compliance: self.modal_compliance.borrow(),
+            stiffness: self.stiffness.borrow(),
+            damping: self.damping.borrow(),
+            moments,
+        }
+    }
+}
+
+/// tr T_μμ of every mode. Shape: M.
+#[inline(always)]
+pub fn traces<C: Scalar, S: MomentStructure<C>, const M: usize>(moments: &[[S::Entry; M]; M]) -> [C; M] {
+    let mut traces = [C::zero(); M];
+    for mu in 0..M {
+        [traces[mu], ..] = S::components(&moments[mu][mu]).even;
+    }
+    traces
+}
+
+/// The moments T_μν of a body as they are given, read where μ <= ν. `EVEN` and `ODD` components count.
+pub struct ParameterMoments<'a, C, S: MomentStructure<C>, const M: usize, const EVEN: bool, const ODD: bool> {
+    moments: &'a [[S::Entry; M]; M],
+    structure: PhantomData<S>,
+}
+
+impl<'a, C, S: MomentStructure<C>, const M: usize, const EVEN: bool, const ODD: bool>
+    ParameterMoments<'a, C, S, M, EVEN, ODD>
+{
+    /// T_μν at `[mu][nu]`.
+    #[inline(always)]
+    pub fn new(moments: &'a [[S::Entry; M]; M]) -> Self {
+        Self { moments, structure: PhantomData }
+    }
+}
+
+impl<T, S, const M: usize, const G: usize, const EVEN: bool, const ODD: bool> MomentTable<T, M, G>
+    for ParameterMoments<'_, T::Constant, S, M, EVEN, ODD>
+where
+    T: Scalar,
+    S: MomentStructure<T::Constant>,
+{
+    /// Each pair of modes once: T_νμ = T_μνᵀ has the same even components and odd ones of the other sign.
+    #[inline(always)]
+    fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
+        let zero = T::zero();
+        let mut even = [[zero; M]; 5];
+        let mut odd = [[zero; M]; 3];
+        let mut whirl = [zero; M];
+        for mu in 0..M {
+            for nu in mu..M {
+                let MomentComponents { even: [_, components @ ..], odd: axes } =
+                    S::components(&self.moments[mu][nu]);
+                if EVEN {
+                    for (sums, component) in even.iter_mut().zip(components) {
+                        let component = T::constant(component);
+                        sums[mu] = component.multiply_add(q[nu], sums[mu]);
+                        if nu > mu {
+                            sums[nu] = component.multiply_add(q[mu], sums[nu]);
+                        }
+                    }
+                }
+                if ODD && nu > mu {
+                    let axes = axes.map(T::constant);
+                    for (sums, axis) in odd.iter_mut().zip(axes) {
+                        sums[mu] = (-axis).multiply_add(q[nu], sums[mu]);
+                        sums[nu] = axis.multiply_add(q[mu], sums[nu]);
+                    }
+                    let along = axes[0] * two_omega[0] + (axes[1] * two_omega[1] + axes[2] * two_omega[2]);
+                    whirl[mu] = (-along).multiply_add(q_dot[nu], whirl[mu]);
+                    whirl[nu] = along.multiply_add(q_dot[mu], whirl[nu]);
+                }
+            }
+        }
+        let put = |groups: &mut [[T; 4]; G], numbers: [T; M]| {
+            for (place, number) in groups.as_flattened_mut().iter_mut().zip(numbers) {
+                *place = number;
+            }
+        };
+        for (groups, numbers) in moments.even.iter_mut().zip(even) {
+            put(groups, numbers);
+        }
+        for (groups, numbers) in moments.odd.iter_mut().zip(odd) {
+            put(groups, numbers);
+        }
+        put(&mut moments.whirl, whirl);
+    }
+}
