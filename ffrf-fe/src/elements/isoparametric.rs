@@ -4,14 +4,8 @@ use faer::Mat;
 
 use crate::ElementKind;
 
-use super::{ElementError, Material, hexahedron8, tetrahedron4};
-
-/// A point of a quadrature rule on the reference element.
-#[derive(Clone, Copy)]
-pub(super) struct ReferencePoint {
-    pub at: [f64; 3],
-    pub weight: f64,
-}
+use super::shapes::{self, ShapeFunctions};
+use super::{ElementError, Material, rules};
 
 /// A quadrature point of an element in space.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,9 +31,9 @@ pub struct ElementMatrices {
 ///
 /// Errors: [`ElementError`]: unsupported kind, wrong number of nodes, Jacobian not positive.
 pub fn quadrature(kind: ElementKind, corners: &[[f64; 3]]) -> Result<Vec<QuadraturePoint>, ElementError> {
-    let (rule, expected) = match kind {
-        ElementKind::Hexahedron8 => (hexahedron8::rule(), 8),
-        ElementKind::Tetrahedron4 => (tetrahedron4::rule(), 4),
+    let (rule, functions, expected): (_, ShapeFunctions, _) = match kind {
+        ElementKind::Hexahedron8 => (rules::hexahedron8(), shapes::hexahedron8, 8),
+        ElementKind::Tetrahedron4 => (rules::tetrahedron4(), shapes::tetrahedron4, 4),
         _ => return Err(ElementError::Unsupported { kind }),
     };
     if corners.len() != expected {
@@ -47,12 +41,7 @@ pub fn quadrature(kind: ElementKind, corners: &[[f64; 3]]) -> Result<Vec<Quadrat
     }
     rule.into_iter()
         .map(|point| {
-            let (shape, local) = match kind {
-                ElementKind::Hexahedron8 => {
-                    (hexahedron8::shape_functions(point.at), hexahedron8::shape_gradients(point.at))
-                }
-                _ => (tetrahedron4::shape_functions(point.at), tetrahedron4::shape_gradients()),
-            };
+            let (shape, local): (Vec<f64>, Vec<[f64; 3]>) = functions(point.at).into_iter().unzip();
             let (gradient, determinant) = space_gradients(corners, &local)?;
             Ok(QuadraturePoint { shape, gradient, volume: point.weight * determinant })
         })

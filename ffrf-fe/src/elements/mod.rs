@@ -2,10 +2,10 @@
 
 mod assemble;
 mod error;
-mod hexahedron8;
 mod isoparametric;
 mod material;
-mod tetrahedron4;
+mod rules;
+pub(crate) mod shapes;
 
 pub use assemble::{assemble, brick};
 pub use error::ElementError;

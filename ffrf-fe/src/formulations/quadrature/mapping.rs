@@ -1,7 +1,7 @@
 //! Quadrature points of an element in space.
 
 use super::rules;
-use super::shapes::{self, Shape};
+use crate::elements::shapes::{self, ShapeFunctions};
 use crate::formulations::rotation::{cross, dot};
 use crate::formulations::{ElementDefect, FormulationError};
 use crate::{Element, ElementKind};
@@ -14,8 +14,6 @@ pub struct Point {
     /// Volume that the point stands for. Units: m³.
     pub volume: f64,
 }
-
-type ShapeFunctions = fn([f64; 3]) -> Vec<Shape>;
 
 /// Quadrature points of one element; `number` is only for errors.
 ///

@@ -11,7 +11,6 @@ mod integrals;
 mod lumping;
 mod mapping;
 mod rules;
-mod shapes;
 
 pub use integrals::{ShapeIntegrals, shape_integrals};
 pub use lumping::LumpedMass;

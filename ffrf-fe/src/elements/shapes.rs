@@ -1,7 +1,10 @@
-//! Shape functions and their gradients on the reference elements, node order of Abaqus and CalculiX.
+//! Shape functions and their gradients on the reference elements, node order of Abaqus and CalculiX (C3D4, C3D8, ...).
 
 /// Value and gradient of one shape function.
-pub(super) type Shape = (f64, [f64; 3]);
+pub(crate) type Shape = (f64, [f64; 3]);
+
+/// The shape functions of an element kind at a reference point, one per node.
+pub(crate) type ShapeFunctions = fn([f64; 3]) -> Vec<Shape>;
 
 /// Gradients of the volume coordinates L = [1 - ξ - η - ζ, ξ, η, ζ].
 const VOLUME_GRADIENTS: [[f64; 3]; 4] =
@@ -15,12 +18,12 @@ fn volume_coordinates(at: [f64; 3]) -> [f64; 4] {
 }
 
 /// N = L.
-pub(super) fn tetrahedron4(at: [f64; 3]) -> Vec<Shape> {
+pub(crate) fn tetrahedron4(at: [f64; 3]) -> Vec<Shape> {
     volume_coordinates(at).into_iter().zip(VOLUME_GRADIENTS).collect()
 }
 
 /// N = L (2 L - 1) at the corners, 4 L_a L_b on the edges.
-pub(super) fn tetrahedron10(at: [f64; 3]) -> Vec<Shape> {
+pub(crate) fn tetrahedron10(at: [f64; 3]) -> Vec<Shape> {
     let l = volume_coordinates(at);
     let corners =
         l.iter().zip(VOLUME_GRADIENTS).map(|(&l, g)| (l * (2.0 * l - 1.0), g.map(|x| (4.0 * l - 1.0) * x)));
@@ -31,8 +34,8 @@ pub(super) fn tetrahedron10(at: [f64; 3]) -> Vec<Shape> {
     corners.chain(edges).collect()
 }
 
-/// Reference coordinates of the corners and of the middles of the edges.
-const HEXAHEDRON: [[f64; 3]; 20] = [
+/// Reference coordinates of the eight corners, then of the middles of the edges.
+pub(super) const HEXAHEDRON: [[f64; 3]; 20] = [
     [-1.0, -1.0, -1.0],
     [1.0, -1.0, -1.0],
     [1.0, 1.0, -1.0],
@@ -68,12 +71,12 @@ fn times(shape: Shape, factor: f64) -> Shape {
 }
 
 /// Trilinear.
-pub(super) fn hexahedron8(at: [f64; 3]) -> Vec<Shape> {
+pub(crate) fn hexahedron8(at: [f64; 3]) -> Vec<Shape> {
     HEXAHEDRON[..8].iter().map(|&node| times(product(at, node), 0.125)).collect()
 }
 
 /// Serendipity: the corners' product times (ξ ξ_a + η η_a + ζ ζ_a - 2) / 8, the edges' product / 4.
-pub(super) fn hexahedron20(at: [f64; 3]) -> Vec<Shape> {
+pub(crate) fn hexahedron20(at: [f64; 3]) -> Vec<Shape> {
     HEXAHEDRON
         .iter()
         .map(|&node| {
