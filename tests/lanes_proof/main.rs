@@ -14,6 +14,10 @@ mod compare;
 mod exact;
 #[path = "../../ffrf-cli/src/lane_body.rs"]
 mod lane_body;
+#[path = "../../ffrf-codegen/tests/proof/mutated.rs"]
+mod mutated;
+#[path = "../../ffrf-codegen/tests/proof/residual.rs"]
+mod residual;
 #[path = "../../ffrf-codegen/tests/proof/sample.rs"]
 mod sample;
 

@@ -17,6 +17,8 @@ mod jacobians;
 mod kernels;
 mod laws;
 mod misprints;
+mod mutated;
 mod passes;
+mod residual;
 mod sample;
 mod tolerances;
