@@ -1,9 +1,12 @@
-//! Line charts as SVG: panels below each other, with their legend beside them.
+//! Line charts as SVG: panels below each other, with their legend beside them; linear or double logarithmic.
+//!
+//! The example `equivalence` of ffrf-fe draws with this file, too.
 
 use std::error::Error;
 use std::path::Path;
 
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::{AsRangedCoord, ValueFormatter};
 use plotters::prelude::*;
 
 /// Eight colours that differ for colour-blind eyes as well (Okabe and Ito).
@@ -17,9 +20,27 @@ const COLOURS: [RGBColor; 8] = [
     RGBColor(90, 90, 90),
     RGBColor(0, 0, 0),
 ];
-const WIDTH: u32 = 1100;
-const LEGEND_WIDTH: u32 = 210;
-const PANEL_HEIGHT: u32 = 340;
+
+/// Size of one panel. Units: pixels.
+#[derive(Clone, Copy)]
+pub struct Size {
+    /// With the legend.
+    pub width: u32,
+    pub height: u32,
+    pub legend_width: u32,
+}
+
+/// Axes, and what suits their lines.
+#[allow(dead_code)] // each example uses its part
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Axes {
+    /// Linear, thin lines: signals that vibrate.
+    Signals,
+    /// Linear; earlier lines are wider, so that lines upon each other are all seen.
+    Linear,
+    /// Double logarithmic, with marked points; earlier lines are wider.
+    Logarithmic,
+}
 
 /// A named line.
 pub struct Line {
@@ -38,15 +59,16 @@ pub struct Panel {
     pub title: String,
     pub x: String,
     pub y: String,
+    pub axes: Axes,
     pub lines: Vec<Line>,
 }
 
 /// Draws the panels below each other.
-pub fn draw(path: &Path, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, (WIDTH, PANEL_HEIGHT * panels.len() as u32)).into_drawing_area();
+pub fn draw(path: &Path, size: Size, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, (size.width, size.height * panels.len() as u32)).into_drawing_area();
     root.fill(&WHITE)?;
     for (area, panel) in root.split_evenly((panels.len(), 1)).iter().zip(panels) {
-        let (chart, legend) = area.split_horizontally(WIDTH - LEGEND_WIDTH);
+        let (chart, legend) = area.split_horizontally(size.width - size.legend_width);
         draw_lines(&chart, panel)?;
         for (i, (line, colour)) in coloured(panel).enumerate() {
             let y = 60 + 22 * i as i32;
@@ -64,29 +86,62 @@ fn coloured(panel: &Panel) -> impl Iterator<Item = (&Line, &RGBColor)> {
 
 fn draw_lines(area: &DrawingArea<SVGBackend, Shift>, panel: &Panel) -> Result<(), Box<dyn Error>> {
     let points = || panel.lines.iter().flat_map(|line| &line.points);
+    let margin = if panel.axes == Axes::Logarithmic { 0.0 } else { 0.06 };
     let x = range(points().map(|point| point.0), 0.0);
-    let y = range(points().map(|point| point.1), 0.06);
+    let y = range(points().map(|point| point.1), margin);
+    if panel.axes == Axes::Logarithmic {
+        let wide = |(low, high): (f64, f64)| (low / 1.5..high * 1.5).log_scale();
+        let label = |value: &f64| format!("{value:.0e}");
+        return draw_in(area, panel, (wide(x), wide(y)), [&label, &label]);
+    }
+    let instant = move |value: &f64| short(*value, x.1 - x.0);
+    let number = move |value: &f64| short(*value, y.1 - y.0);
+    draw_in(area, panel, (x.0..x.1, y.0..y.1), [&instant, &number])
+}
+
+/// The text of a number on an axis.
+type Label = dyn Fn(&f64) -> String;
+
+/// The panel in axes with their labels.
+fn draw_in<X, Y>(
+    area: &DrawingArea<SVGBackend, Shift>,
+    panel: &Panel,
+    (x, y): (X, Y),
+    [x_label, y_label]: [&Label; 2],
+) -> Result<(), Box<dyn Error>>
+where
+    X: AsRangedCoord<Value = f64>,
+    Y: AsRangedCoord<Value = f64>,
+    X::CoordDescType: ValueFormatter<f64>,
+    Y::CoordDescType: ValueFormatter<f64>,
+{
     let mut chart = ChartBuilder::on(area)
         .caption(&panel.title, ("sans-serif", 17))
         .margin(12)
         .x_label_area_size(42)
         .y_label_area_size(86)
-        .build_cartesian_2d(x.0..x.1, y.0..y.1)?;
-    let instant = |value: &f64| short(*value, x.1 - x.0);
-    let number = |value: &f64| short(*value, y.1 - y.0);
+        .build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()
         .light_line_style(TRANSPARENT)
         .x_desc(&panel.x)
         .y_desc(&panel.y)
-        .x_label_formatter(&instant)
-        .y_label_formatter(&number)
+        .x_label_formatter(&x_label)
+        .y_label_formatter(&y_label)
         .y_labels(7)
         .label_style(("sans-serif", 13))
         .axis_desc_style(("sans-serif", 14))
         .draw()?;
-    for (line, colour) in coloured(panel) {
-        chart.draw_series(LineSeries::new(line.points.iter().copied(), colour.stroke_width(1)))?;
+    for (i, (line, colour)) in coloured(panel).enumerate() {
+        let width = match panel.axes {
+            Axes::Signals => 1,
+            Axes::Linear | Axes::Logarithmic => 2 + 2 * (panel.lines.len() - 1 - i) as u32,
+        };
+        chart.draw_series(LineSeries::new(line.points.iter().copied(), colour.stroke_width(width)))?;
+        if panel.axes == Axes::Logarithmic {
+            let mark = |&point: &(f64, f64)| Circle::new(point, 2 + width as i32, colour.filled());
+            chart.draw_series(line.points.iter().map(mark))?;
+        }
     }
     Ok(())
 }

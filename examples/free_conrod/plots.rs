@@ -6,7 +6,9 @@ use std::path::Path;
 use crate::M;
 use crate::flight::{FINE_UNTIL, FRAMES_UNTIL, Record, Sample};
 use crate::part::Part;
-use crate::plot::{Line, Panel, draw};
+use crate::plot::{Axes, Line, Panel, Size, draw};
+
+const SIZE: Size = Size { width: 1100, height: 340, legend_width: 210 };
 
 /// Points per line over the whole flight.
 const POINTS: usize = 1000;
@@ -19,7 +21,7 @@ pub fn write(folder: &Path, record: &Record, part: &Part) -> Result<(), Box<dyn 
         ("modal_amplitudes.svg", modal_amplitudes(record, part)),
     ] {
         let path = folder.join(name);
-        draw(&path, &panels)?;
+        draw(&path, SIZE, &panels)?;
         println!("  written: {}", path.display());
     }
     Ok(())
@@ -35,7 +37,7 @@ fn sparse(record: &Record) -> Vec<Sample> {
 }
 
 fn panel(title: String, y: &str, lines: Vec<Line>) -> Panel {
-    Panel { title, x: "time / s".to_owned(), y: y.to_owned(), lines }
+    Panel { title, x: "time / s".to_owned(), y: y.to_owned(), axes: Axes::Signals, lines }
 }
 
 fn energy(record: &Record) -> Vec<Panel> {

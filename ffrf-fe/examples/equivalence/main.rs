@@ -6,15 +6,16 @@
 //! `cargo run -p ffrf-fe --example equivalence [folder for the figures]`
 
 mod bodies;
-mod chart;
 mod pendulum;
+#[path = "../../../examples/free_conrod/plot.rs"]
+mod plot;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use chart::{Chart, Line};
 use ffrf_fe::formulations::corotated::{CorotatedModel, Frame};
 use pendulum::{Formulation, Pendulum, largest_distance};
+use plot::{Axes, Line, Panel, Size, draw};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args()
@@ -43,8 +44,12 @@ fn same_motion(folder: &Path) -> Result<(), Box<dyn Error>> {
         let path = pendulum.tip_path(&formulation, time, steps)?;
         lines.push(Line::new(name, path.iter().step_by(steps / 200).map(|(t, x)| (*t, x[2]))));
     }
-    Chart::linear("Height of the tip of a soft spinning beam held at a corner", "t / s", "z / m")
-        .draw(&folder.join("same_motion.svg"), &lines)
+    chart(
+        &folder.join("same_motion.svg"),
+        Axes::Linear,
+        ["Height of the tip of a soft spinning beam held at a corner", "t / s", "z / m"],
+        lines,
+    )
 }
 
 /// Largest distance of the tips over time, against the step of the implicit rule.
@@ -71,12 +76,12 @@ fn step_size(folder: &Path) -> Result<(), Box<dyn Error>> {
             lines.push(Line::new(format!("{name}: {kind}, order {order:.2}"), points));
         }
     }
-    Chart::logarithmic(
-        "Against the floating frame with all modes",
-        "step / s",
-        "largest distance of the tips / m",
+    chart(
+        &folder.join("step_size.svg"),
+        Axes::Logarithmic,
+        ["Against the floating frame with all modes", "step / s", "largest distance of the tips / m"],
+        lines,
     )
-    .draw(&folder.join("step_size.svg"), &lines)
 }
 
 /// Largest distance of the tips against the number of modes, the whole mesh being the truth.
@@ -98,12 +103,12 @@ fn number_of_modes(folder: &Path) -> Result<(), Box<dyn Error>> {
         println!("{name} against ACF by modes: {}", listed(&points));
         lines.push(Line::new(name, points));
     }
-    Chart::logarithmic(
-        "Free-free modes against the whole mesh",
-        "modes M",
-        "largest distance of the tips / m",
+    chart(
+        &folder.join("number_of_modes.svg"),
+        Axes::Logarithmic,
+        ["Free-free modes against the whole mesh", "modes M", "largest distance of the tips / m"],
+        lines,
     )
-    .draw(&folder.join("number_of_modes.svg"), &lines)
 }
 
 /// Distance of the tips relative to the deformation, against the deformation: gravity and spin² scale with it.
@@ -136,12 +141,19 @@ fn amplitude(folder: &Path) -> Result<(), Box<dyn Error>> {
         );
         line.name = format!("{}, slope {order:.2}", line.name);
     }
-    Chart::logarithmic(
-        "ACF against FFRF with all modes",
-        "deviation from rigid motion / m",
-        "distance / deviation",
+    chart(
+        &folder.join("amplitude.svg"),
+        Axes::Logarithmic,
+        ["ACF against FFRF with all modes", "deviation from rigid motion / m", "distance / deviation"],
+        lines,
     )
-    .draw(&folder.join("amplitude.svg"), &lines)
+}
+
+/// Draws one panel with its title, its x and its y.
+fn chart(path: &Path, axes: Axes, names: [&str; 3], lines: Vec<Line>) -> Result<(), Box<dyn Error>> {
+    let [title, x, y] = names.map(str::to_owned);
+    let panel = Panel { title, x, y, axes, lines };
+    draw(path, Size { width: 900, height: 420, legend_width: 260 }, &[panel])
 }
 
 fn listed(points: &[(f64, f64)]) -> String {
