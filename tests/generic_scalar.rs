@@ -89,11 +89,7 @@ fn same<const M: usize, const N: usize>(
     close([&generic.kinetic_energy(&q, &velocity, &omega, &q_dot)], &[expected], ROUNDING);
     close([&generic.elastic_energy(&q)], &[plain.elastic_energy(&q)], ROUNDING);
     let momentum = plain.angular_momentum(&q, &velocity, &omega, &q_dot);
-    close(
-        generic.angular_momentum(&q, &velocity, &omega, &q_dot).iter(),
-        momentum.as_slice(),
-        ROUNDING,
-    );
+    close(generic.angular_momentum(&q, &velocity, &omega, &q_dot).iter(), momentum.as_slice(), ROUNDING);
     let momentum = plain.linear_momentum(&q, &velocity, &omega, &q_dot);
     close(generic.linear_momentum(&q, &velocity, &omega, &q_dot).iter(), momentum.as_slice(), ROUNDING);
     let weight = plain.gravity_force(&q, &velocity);
@@ -176,7 +172,8 @@ fn dual_numbers_through_loops_give_the_analytic_jacobian() {
 fn a_flight_in_dual_numbers_knows_how_it_depends_on_its_start() {
     fn flight<T: RealField + Copy>(spin: T) -> Vector3<T> {
         let number = |x: f64| convert::<f64, T>(x);
-        let mut rod = FreeBody::<_, 8, 14, T>::new(Rod).with_spin(Vector3::new(spin, number(20.0), number(1.0)));
+        let mut rod =
+            FreeBody::<_, 8, 14, T>::new(Rod).with_spin(Vector3::new(spin, number(20.0), number(1.0)));
         for _ in 0..200 {
             rod.step_rk4(number(2e-5), &()).unwrap();
         }
