@@ -16,9 +16,9 @@ pub(super) struct KernelText<'a> {
     pub(super) preparation: &'a str,
     /// What the loops are methods of.
     pub(super) loops: &'a str,
-    /// What follows from q, omega and q_dot: the text of a reference.
+    /// Statements that make a variable `state` of q, omega and q_dot.
     pub(super) state: String,
-    /// The same at q, at rest.
+    /// The same of q, at rest.
     pub(super) state_at_rest: String,
     /// The force less what the loops do not know, a reference.
     pub(super) net_force: String,
@@ -46,24 +46,23 @@ impl KernelText<'_> {
         let [q, q_dot, velocity, omega] = ["q", "q_dot", "velocity", "omega"].map(|name| form.input(name));
         let state = format!("q: {coordinates}, omega: {space}, q_dot: {coordinates}");
         let moving = format!("q: {coordinates}, velocity: {space}, omega: {space}, q_dot: {coordinates}");
-        let (at, net) = (&self.state, &self.net_force);
+        let net = &self.net_force;
+        let evaluation = if kind == KernelKind::MassMatrix { &self.state_at_rest } else { &self.state };
         let (inputs, result, arguments) = match kind {
             KernelKind::MassMatrix => {
-                (format!("q: {coordinates}"), format!("[{vector}; {size}]"), self.state_at_rest.clone())
+                (format!("q: {coordinates}"), format!("[{vector}; {size}]"), String::new())
             }
-            KernelKind::QuadraticVelocity => (state, vector.clone(), at.clone()),
+            KernelKind::QuadraticVelocity => (state, vector.clone(), String::new()),
             KernelKind::ForwardDynamics => {
-                (format!("{state}, force: &{vector}"), vector.clone(), format!("{at}, {q}, {q_dot}, {net}"))
+                (format!("{state}, force: &{vector}"), vector.clone(), format!(", {q}, {q_dot}, {net}"))
             }
             KernelKind::EquationsOfMotion => (
                 format!("{state}, force: &{vector}"),
                 format!("([{vector}; {size}], {vector}, {vector})"),
-                format!("{at}, {q}, {q_dot}, {net}"),
+                format!(", {q}, {q_dot}, {net}"),
             ),
-            KernelKind::AngularMomentum => {
-                (moving, format!("[{name}; 3]"), format!("{at}, {velocity}, {omega}"))
-            }
-            _ => (moving, name.to_owned(), format!("{at}, {velocity}, {omega}, {q_dot}")),
+            KernelKind::AngularMomentum => (moving, format!("[{name}; 3]"), format!(", {velocity}, {omega}")),
+            _ => (moving, name.to_owned(), format!(", {velocity}, {omega}, {q_dot}")),
         };
         let (function, generics, preparation) = (kind.name(), self.scalar.generics(), self.preparation);
         format!(
@@ -71,12 +70,12 @@ impl KernelText<'_> {
     fn {function}{generics}(
         {}{},
     ) -> {result} {{
-{preparation}        {}
+{preparation}{evaluation}        {}
     }}
 ",
             self.parameters,
             inputs.replace(", ", ",\n        ").replace(",\n        &", ", &"),
-            form.result(kind, &format!("{}.{function}({arguments})", self.loops))
+            form.result(kind, &format!("{}.{function}(&state{arguments})", self.loops))
         )
     }
 }

@@ -64,6 +64,8 @@ impl LaneParameters {
             Form::Plain => format!("[0.0; {count}]"),
             Form::Wrapped => format!("support::lanes::reals::<T, {count}>(&[{}; {count}])", form.zero()),
         };
+        let evaluation =
+            |omega: &str, q_dot: &str| format!("        let state = lanes.state({q}, {omega}, {q_dot});\n");
         let net_force = if self.has_internal() {
             form.input("force")
         } else {
@@ -75,8 +77,8 @@ impl LaneParameters {
             parameters: format!("body: &{},\n        ", options.name),
             preparation: "        let tables = tables(body);\n        let lanes = tables.body(moments(body));\n",
             loops: "lanes",
-            state: format!("&lanes.state({q}, {}, {q_dot})", form.value("omega")),
-            state_at_rest: format!("&lanes.state({q}, {}, &{})", zeros(3), zeros(modes)),
+            state: evaluation(&form.value("omega"), q_dot.as_str()),
+            state_at_rest: evaluation(&zeros(3), &format!("&{}", zeros(modes))),
             net_force,
         };
         format!("{}{}", self.tables(options), kernels.functions(document))

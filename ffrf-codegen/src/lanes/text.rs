@@ -32,25 +32,29 @@ pub(crate) fn functions(
     let (name, generics) = (scalar.type_name(), scalar.generics());
     let (coordinates, space) = (format!("&[{name}; {modes}]"), format!("&[{name}; 3]"));
     let form = Form::of(scalar);
-    // Few modes: one function is fastest. Many: what all kernels share is kept once.
-    let inline = if modes <= LARGEST_INLINE { "#[inline(always)]" } else { "#[inline(never)]" };
+    let state = format!("support::lanes::State<{}, {groups}>", form.register_scalar(name));
+    let arguments = [form.input("q"), form.value("omega"), form.input("q_dot")].join(", ");
+    // Few modes: one function is fastest. Many: what all kernels share is kept once, and the state is not moved.
+    let (inline, function, place, result, body) = if modes <= LARGEST_INLINE {
+        let result = format!(" -> {state}");
+        ("always", "state", String::new(), result, format!("BODY.state({arguments})"))
+    } else {
+        let place = format!("\n        state: &mut {state},");
+        ("never", "write_state", place, String::new(), format!("BODY.write_state({arguments}, state);"))
+    };
     let _ = write!(
         text,
         "
     /// What follows from a state before forces are known: deformed invariants and quadratic velocity vector.
-    {inline}
-    fn state{generics}(
+    #[inline({inline})]
+    fn {function}{generics}(
         q: {coordinates},
         omega: {space},
-        q_dot: {coordinates},
-    ) -> support::lanes::State<{}, {groups}> {{
-        BODY.state({}, {}, {})
+        q_dot: {coordinates},{place}
+    ){result} {{
+        {body}
     }}
-",
-        form.register_scalar(name),
-        form.input("q"),
-        form.value("omega"),
-        form.input("q_dot")
+"
     );
     let zero = form.zero();
     let kernels = KernelText {
@@ -59,8 +63,8 @@ pub(crate) fn functions(
         parameters: String::new(),
         preparation: "",
         loops: "BODY",
-        state: "&state(q, omega, q_dot)".to_owned(),
-        state_at_rest: format!("&state(q, &[{zero}; 3], &[{zero}; {modes}])"),
+        state: evaluation(modes, 2, "omega", "q_dot"),
+        state_at_rest: evaluation(modes, 2, &format!("&[{zero}; 3]"), &format!("&[{zero}; {modes}]")),
         net_force: match tables.internal {
             Some(_) => form.input("force"),
             None => form.net_force("&internal_force(q, q_dot)"),
@@ -68,6 +72,19 @@ pub(crate) fn functions(
     };
     text.push_str(&kernels.functions(document));
     text
+}
+
+/// The statements that make the variable `state`, so many levels deep.
+fn evaluation(modes: usize, level: usize, omega: &str, q_dot: &str) -> String {
+    let indent = "    ".repeat(level);
+    if modes <= LARGEST_INLINE {
+        format!("{indent}let state = state(q, {omega}, {q_dot});\n")
+    } else {
+        format!(
+            "{indent}let mut state = support::lanes::State::zero();
+{indent}write_state(q, {omega}, {q_dot}, &mut state);\n"
+        )
+    }
 }
 
 /// The method of the trait that writes its results in place; a generic body has none, as its results are moved anyway.
@@ -97,8 +114,8 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
         ) {{
             let (q, q_dot) = (support::array(q), support::array(q_dot));
             let force = {force};
-            BODY.write_equations_of_motion(
-                &state(q, support::array(omega), q_dot),
+{}            BODY.write_equations_of_motion(
+                &state,
                 q,
                 q_dot,
                 force,
@@ -107,7 +124,8 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
                 support::array_mut(acceleration),
             );
         }}
-"
+",
+        evaluation(modes, 3, "support::array(omega)", "q_dot")
     )
 }
 

@@ -1,6 +1,6 @@
 //! The kernels with accelerations: modes eliminated first, then translation, then rotation.
 
-use super::equations::{State, sums};
+use super::equations::{State, accumulate, sums};
 use super::rigid::{dot, inverse, subtract, times};
 use super::scalar::{Register, four, grouped, groups, ungroup};
 use super::{LaneBody, Lanes, Scalar};
@@ -96,19 +96,19 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             let free = self.modal_compliance.times::<T>(g, modal[g]);
             // Θ_rf Θ_ff⁻¹ Θ_rfᵀ and Θ_rf Θ_ff⁻¹ f
             for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
-                shared[k] = rows[i].multiply_add(weighted[j], shared[k]);
+                shared[k] = accumulate::<T, G>(g, rows[i], weighted[j], shared[k]);
             }
             for i in 0..3 {
-                shared[6 + i] = rows[i].multiply_add(free, shared[6 + i]);
+                shared[6 + i] = accumulate::<T, G>(g, rows[i], free, shared[6 + i]);
             }
             // m B Θ_ff⁻¹ Θ_rfᵀ and m B Θ_ff⁻¹ f
             if let Some(moments) = self.modal_first_moment {
                 for i in 0..3 {
                     let moment = four::<T>(&moments[g][i]);
                     for j in 0..3 {
-                        coupled[3 * i + j] = moment.multiply_add(weighted[j], coupled[3 * i + j]);
+                        coupled[3 * i + j] = accumulate::<T, G>(g, moment, weighted[j], coupled[3 * i + j]);
                     }
-                    carried[i] = moment.multiply_add(free, carried[i]);
+                    carried[i] = accumulate::<T, G>(g, moment, free, carried[i]);
                 }
             }
         }

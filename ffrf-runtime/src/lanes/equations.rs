@@ -24,6 +24,21 @@ pub struct State<T: Scalar, const G: usize> {
 }
 
 impl<T: Scalar, const G: usize> State<T, G> {
+    /// All zero, to be written by [`LaneBody::write_state`].
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = [T::zero(); 3];
+        Self {
+            modal: Moments::zero(),
+            first_moment: zero,
+            inertia: [T::zero(); 6],
+            spin: zero,
+            momentum: zero,
+            translation: zero,
+            rotation: zero,
+        }
+    }
+
     /// Θ_rf(q) of one group of modes, in lanes. Shape: 3 rows.
     #[inline(always)]
     pub(super) fn coupling(&self, group: usize) -> [Register<T>; 3] {
@@ -58,6 +73,19 @@ impl<C: Copy, const G: usize> Diagonal<'_, C, G> {
     }
 }
 
+/// `sum + left * right`; a zero sum of the first of few groups is left out, which the compiler may not do itself.
+///
+/// With more groups the sums are loops, and taking the first round out of them costs more than it saves.
+#[inline(always)]
+pub(super) fn accumulate<T: Scalar, const G: usize>(
+    group: usize,
+    left: Register<T>,
+    right: Register<T>,
+    sum: Register<T>,
+) -> Register<T> {
+    if const { G <= 2 } && group == 0 { left * right } else { left.multiply_add(right, sum) }
+}
+
 /// Horizontal sums of many registers, four at a time.
 #[inline(always)]
 pub(super) fn sums<T: Scalar, const K: usize>(registers: [Register<T>; K]) -> [T; K] {
@@ -67,8 +95,16 @@ pub(super) fn sums<T: Scalar, const K: usize>(registers: [Register<T>; K]) -> [T
     for (place, four) in places.iter_mut().zip(fours) {
         *place = Register::<T>::sums(*four);
     }
-    for (place, register) in last.iter_mut().zip(rest) {
-        *place = register.sum();
+    if let [register] = rest {
+        last.fill(register.sum());
+    } else if !rest.is_empty() {
+        let mut padded = [Register::<T>::zero(); 4];
+        for (place, register) in padded.iter_mut().zip(rest) {
+            *place = *register;
+        }
+        for (place, sum) in last.iter_mut().zip(Register::<T>::sums(padded)) {
+            *place = sum;
+        }
     }
     result
 }
@@ -80,16 +116,25 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     where
         P: MomentTable<T, M, G>,
     {
-        let zero = [T::zero(); 3];
-        let mut state = State {
-            modal: Moments::zero(),
-            first_moment: self.first_moment.map_or(zero, |moment| moment.map(T::constant)),
-            inertia: self.inertia.map(T::constant),
-            spin: zero,
-            momentum: zero,
-            translation: zero,
-            rotation: zero,
-        };
+        let mut state = State::zero();
+        self.write_state(q, omega, q_dot, &mut state);
+        state
+    }
+
+    /// [`LaneBody::state`] into a given place, which holds [`State::zero`]: a large state is not moved.
+    #[inline(always)]
+    pub fn write_state<T: Scalar<Constant = C>>(
+        &self,
+        q: &[T; M],
+        omega: [T; 3],
+        q_dot: &[T; M],
+        state: &mut State<T, G>,
+    ) where
+        P: MomentTable<T, M, G>,
+    {
+        if let Some(moment) = self.first_moment {
+            state.first_moment = moment.map(T::constant);
+        }
         self.moments.multiply(q, q_dot, omega.map(|x| T::two() * x), &mut state.modal);
         let (q, q_dot) = (groups::<T, M, G>(q), groups::<T, M, G>(q_dot));
         let weights = spin_weights(omega).map(Register::<T>::splat);
@@ -117,9 +162,9 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             .map(|(even, base)| Register::<T>::load(even) + base);
             let deformed = [trace, yy, zz, xy, xz, yz];
             for component in 0..6 {
-                change[component] =
-                    (base[component] + deformed[component]).multiply_add(q, change[component]);
-                rate[component] = deformed[component].multiply_add(q_dot, rate[component]);
+                let twice = base[component] + deformed[component];
+                change[component] = accumulate::<T, G>(g, twice, q, change[component]);
+                rate[component] = accumulate::<T, G>(g, deformed[component], q_dot, rate[component]);
             }
             let force = trace.multiply_add(weights[0], Register::<T>::load(&state.modal.whirl[g]))
                 + yy.multiply_add(weights[1], zz * weights[2])
@@ -131,11 +176,11 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
                     coupling = coupling + four::<T>(&base[g][axis]);
                     state.modal.odd[axis][g] = coupling.store();
                 }
-                spin[axis] = coupling.multiply_add(q_dot, spin[axis]);
+                spin[axis] = accumulate::<T, G>(g, coupling, q_dot, spin[axis]);
                 if let Some(moment) = self.modal_first_moment {
                     let moment = four::<T>(&moment[g][axis]);
-                    shift[axis] = moment.multiply_add(q, shift[axis]);
-                    momentum[axis] = moment.multiply_add(q_dot, momentum[axis]);
+                    shift[axis] = accumulate::<T, G>(g, moment, q, shift[axis]);
+                    momentum[axis] = accumulate::<T, G>(g, moment, q_dot, momentum[axis]);
                 }
             }
         }
@@ -146,7 +191,7 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             sums::<T, 15>([c0, c1, c2, c3, c4, c5, r0, r1, r2, r3, r4, r5, s0, s1, s2]);
         state.spin = [s0, s1, s2];
         state.inertia = add(self.inertia.map(T::constant), traced([c0, c1, c2, c3, c4, c5], T::half()));
-        state.rotation = rotation(omega, &state, [r0, r1, r2, r3, r4, r5]);
+        state.rotation = rotation(omega, state, [r0, r1, r2, r3, r4, r5]);
         if self.modal_first_moment.is_some() {
             let [a, b, c] = shift;
             let [d, e, f] = momentum;
@@ -161,7 +206,6 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             }
             state.translation = cross(omega, carried);
         }
-        state
     }
 }
 

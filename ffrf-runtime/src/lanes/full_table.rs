@@ -49,7 +49,7 @@ impl<T: Scalar, const M: usize, const G: usize, const PAIRS: usize, const SINGLE
     fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
         const { assert!(G == 2 * PAIRS + SINGLE && SINGLE <= 1 && 4 * G >= M) };
         if const { G <= 2 } {
-            shared_product(self, q, q_dot, two_omega, moments);
+            *moments = shared_product(self, q, q_dot, two_omega);
         } else {
             product(self, q, q_dot, two_omega, moments);
         }
@@ -62,9 +62,10 @@ fn shared_product<T: Scalar, const M: usize, const G: usize, const PAIRS: usize,
     q: &[T; M],
     q_dot: &[T; M],
     two_omega: [T; 3],
-    moments: &mut Moments<T, G>,
-) {
-    product(table, q, q_dot, two_omega, moments);
+) -> Moments<T, G> {
+    let mut moments = Moments::zero();
+    product(table, q, q_dot, two_omega, &mut moments);
+    moments
 }
 
 #[inline(always)]

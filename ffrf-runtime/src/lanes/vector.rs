@@ -39,11 +39,19 @@ pub trait Four<T>: Lanes<T, 4> {
     /// The four registers as rows of a matrix, transposed.
     fn transpose(rows: [Self; 4]) -> [Self; 4];
 
-    /// The sum of the lanes of each of four registers.
+    /// The sum of the lanes of each of four registers: neighbours first, two registers at a time.
     #[inline(always)]
-    fn sums(registers: [Self; 4]) -> [T; 4] {
-        let [a, b, c, d] = Self::transpose(registers);
-        ((a + b) + (c + d)).store()
+    fn sums(registers: [Self; 4]) -> [T; 4]
+    where
+        T: Copy,
+    {
+        let neighbours = |left: Self, right: Self| {
+            let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (left.store(), right.store());
+            (Self::load(&[a0, b0, a2, b2]) + Self::load(&[a1, b1, a3, b3])).store()
+        };
+        let [a, b, c, d] = registers;
+        let ([a0, b0, a2, b2], [c0, d0, c2, d2]) = (neighbours(a, b), neighbours(c, d));
+        (Self::load(&[a0, b0, c0, d0]) + Self::load(&[a2, b2, c2, d2])).store()
     }
 }
 
