@@ -1,5 +1,6 @@
 /* Checks and times columns in one run. usage: time_columns body_M.bin ROUNDS name=library [name=library ...]
-   One JSON line per column: errors against the reference, minimum and median of nanoseconds per call. */
+   One JSON line per column: errors against the reference, minimum and median of nanoseconds per call, and the median of the
+   ratios of the first column to this one, taken round by round: load that lasts longer than a round is on both sides of it. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <math.h>
@@ -16,7 +17,7 @@ struct column {
     accelerations_t *accelerations;
     double error;
     long calls[2];
-    double *times[2];
+    double *times[2], ratio[2];
 };
 enum { STRIDE = 80, LIMIT = 32 };
 
@@ -116,6 +117,14 @@ int main(int argc, char **argv) {
         for (int i = 0; i < count; i++)
             for (int kind = 0; kind < 2; kind++)
                 if (columns[i].times[kind]) columns[i].times[kind][r] = run(&columns[i], kind, columns[i].calls[kind]);
+    double *ratios = malloc(rounds * sizeof(double));
+    for (int i = 0; i < count; i++) /* before any column's times are sorted */
+        for (int kind = 0; kind < 2; kind++)
+            if (columns[i].times[kind] && columns[0].times[kind]) {
+                for (int r = 0; r < rounds; r++) ratios[r] = columns[0].times[kind][r] / columns[i].times[kind][r];
+                qsort(ratios, rounds, sizeof(double), ascending);
+                columns[i].ratio[kind] = ratios[rounds / 2];
+            }
     int failed = 0;
     for (int i = 0; i < count; i++) {
         struct column *c = &columns[i];
@@ -123,8 +132,8 @@ int main(int argc, char **argv) {
         for (int kind = 0; kind < 2; kind++)
             if (c->times[kind]) {
                 qsort(c->times[kind], rounds, sizeof(double), ascending);
-                printf(", \"%s\": {\"minimum_ns\": %.1f, \"median_ns\": %.1f}", kind ? "accelerations" : "equations",
-                       c->times[kind][0], c->times[kind][rounds / 2]);
+                printf(", \"%s\": {\"minimum_ns\": %.1f, \"median_ns\": %.1f, \"ratio\": %.3f}",
+                       kind ? "accelerations" : "equations", c->times[kind][0], c->times[kind][rounds / 2], c->ratio[kind]);
             }
         printf("}\n");
         if (!(c->error <= 1e-12)) fprintf(stderr, "FAILED: %s deviates by %g\n", c->name, c->error), failed = 1;
