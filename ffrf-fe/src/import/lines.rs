@@ -163,10 +163,10 @@ fn accumulate(counts: &mut [usize]) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn lines(triplets: &[(u32, u32, f64)], size: usize) -> Lines {
+    pub(in crate::import) fn lines(triplets: &[(u32, u32, f64)], size: usize) -> Lines {
         let rows = triplets.iter().map(|entry| entry.0).collect();
         let columns = triplets.iter().map(|entry| entry.1).collect();
         let values = triplets.iter().map(|entry| entry.2).collect();

@@ -140,15 +140,8 @@ pub(crate) fn without_zeros(mut lines: Lines) -> Lines {
 
 #[cfg(test)]
 mod tests {
-    use super::super::entries::Entries;
+    use super::super::lines::tests::lines;
     use super::*;
-
-    fn lines(triplets: &[(u32, u32, f64)], size: usize) -> Lines {
-        let rows = triplets.iter().map(|entry| entry.0).collect();
-        let columns = triplets.iter().map(|entry| entry.1).collect();
-        let values = triplets.iter().map(|entry| entry.2).collect();
-        Lines::from_entries(Entries::from_vectors(rows, columns, values), size)
-    }
 
     const BOTH: [(u32, u32, f64); 7] =
         [(0, 0, 4.0), (0, 1, -1.0), (0, 3, 0.5), (1, 0, -1.0), (2, 2, 2.0), (3, 0, 0.5), (3, 3, 1.0)];
