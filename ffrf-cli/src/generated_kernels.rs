@@ -13,8 +13,6 @@ use crate::lane_kernels::{self, LARGEST, LaneKernels};
 pub struct GeneratedKernels {
     statements: Kernels,
     lanes: Option<Box<dyn LaneKernels>>,
-    /// Whether K q + D q̇ is subtracted from the force before the loops are entered.
-    internal_apart: bool,
     description: String,
 }
 
@@ -36,8 +34,7 @@ impl GeneratedKernels {
             Some(_) => Kernels::formulate_without(body, options, &lanes::IN_LANES)?,
             None => Kernels::formulate(body, options)?,
         };
-        let internal_apart = tables.is_some_and(|tables| tables.internal.is_none());
-        Ok(Self { statements, lanes: loops, internal_apart, description })
+        Ok(Self { statements, lanes: loops, description })
     }
 
     /// How the kernels compute, in words.
@@ -63,15 +60,10 @@ impl GeneratedKernels {
 
     /// Accelerations [α; ω̇; q̈], elastic and damping forces included. Shape: N.
     pub fn forward_dynamics(&self, q: &[f64], omega: &[f64; 3], q_dot: &[f64], force: &[f64]) -> Vec<f64> {
-        let Some(lanes) = &self.lanes else {
-            return self.statements.forward_dynamics(q, omega, q_dot, force);
-        };
-        let mut net = force.to_vec();
-        if self.internal_apart {
-            let internal = self.statements.internal_force(q, q_dot);
-            net.iter_mut().skip(6).zip(internal).for_each(|(net, internal)| *net -= internal);
+        match &self.lanes {
+            Some(lanes) => lanes.forward_dynamics(q, *omega, q_dot, force),
+            None => self.statements.forward_dynamics(q, omega, q_dot, force),
         }
-        lanes.forward_dynamics(q, *omega, q_dot, &net)
     }
 
     /// Kinetic energy. Units: J.

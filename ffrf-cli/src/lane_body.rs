@@ -1,6 +1,6 @@
 //! Tables as the loops of the runtime want them.
 
-use ffrf_codegen::lanes::{Diagonal, LaneTables, MomentTables, Table};
+use ffrf_codegen::lanes::{LaneTables, ModalMatrix, MomentTables, Table};
 use ffrf_runtime::lanes::{self, FullTable, HalfTable, LaneBody};
 
 /// From entries `V` of tables to constants `C` of the loops.
@@ -78,8 +78,6 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
     where
         F: Fn(V) -> C,
     {
-        let none = &Diagonal::Zero;
-        let (stiffness, damping) = tables.internal.as_ref().map_or((none, none), |[k, d]| (k, d));
         LaneBody {
             mass: (self.constant)(tables.mass),
             first_moment: tables.first_moment.map(|moment| moment.map(&self.constant)),
@@ -88,11 +86,11 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
             translation_compliance: tables.translation_compliance.map(&self.constant),
             position_mode_even: tables.position_mode_even.as_ref().map(|table| self.rows(table)),
             position_mode_odd: tables.position_mode_odd.as_ref().map(|table| self.rows(table)),
-            trace: self.diagonal(&tables.trace),
-            modal_mass: self.diagonal(&tables.modal_mass),
-            modal_compliance: self.diagonal(&tables.modal_compliance),
-            stiffness: self.diagonal(stiffness),
-            damping: self.diagonal(damping),
+            trace: self.matrix(tables.modes, &tables.trace),
+            modal_mass: self.matrix(tables.modes, &tables.modal_mass),
+            modal_compliance: self.matrix(tables.modes, &tables.modal_compliance),
+            stiffness: self.matrix(tables.modes, &tables.stiffness),
+            damping: self.matrix(tables.modes, &tables.damping),
             moments,
         }
     }
@@ -106,17 +104,29 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
         Box::leak(rows)
     }
 
-    fn diagonal<V: Copy, const G: usize>(&self, diagonal: &Diagonal<V>) -> lanes::Diagonal<'static, C, G>
+    fn matrix<V: Copy, const M: usize, const G: usize>(
+        &self,
+        modes: usize,
+        matrix: &ModalMatrix<V>,
+    ) -> lanes::ModalMatrix<'static, C, M, G>
     where
         F: Fn(V) -> C,
     {
-        match diagonal {
-            Diagonal::Zero => lanes::Diagonal::Zero,
-            Diagonal::Identity => lanes::Diagonal::Identity,
-            Diagonal::Entries(table) => {
+        match matrix {
+            ModalMatrix::Zero => lanes::ModalMatrix::Zero,
+            ModalMatrix::Identity => lanes::ModalMatrix::Identity,
+            ModalMatrix::Diagonal(table) => {
                 let mut entries = Box::new([[self.zero; 4]; G]);
                 self.fill(entries.as_flattened_mut(), table.entries());
-                lanes::Diagonal::Entries(Box::leak(entries))
+                lanes::ModalMatrix::Diagonal(Box::leak(entries))
+            }
+            ModalMatrix::Dense(table) => {
+                let mut groups = Box::new([[[self.zero; 4]; M]; G]);
+                // The columns of a group end with the last mode, not with the padding.
+                for (group, entries) in groups.iter_mut().zip(table.entries().chunks(4 * modes)) {
+                    self.fill(group.as_flattened_mut(), entries);
+                }
+                lanes::ModalMatrix::Dense(Box::leak(groups))
             }
         }
     }

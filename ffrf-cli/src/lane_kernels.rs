@@ -18,7 +18,7 @@ pub trait LaneKernels {
     fn mass_matrix(&self, q: &[f64]) -> Vec<Vec<f64>>;
     /// Quadratic velocity vector. Shape: N.
     fn quadratic_velocity(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64]) -> Vec<f64>;
-    /// Accelerations under `force`, from which the caller has taken what [`LaneTables::internal`] lacks. Shape: N.
+    /// Accelerations under `force`, elastic and damping forces included. Shape: N.
     fn forward_dynamics(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64], force: &[f64]) -> Vec<f64>;
     /// Kinetic energy. Units: J.
     fn kinetic_energy(&self, q: &[f64], velocity: [f64; 3], omega: [f64; 3], q_dot: &[f64]) -> f64;

@@ -73,6 +73,18 @@ pub enum CodegenError {
         /// Its value.
         found: f64,
     },
+    /// Θ_ff is not positive definite: a mode repeats those before it.
+    #[error(
+        "the modes are not independent of each other: the mass of mode {mode} that the modes before it leave is {found:e}, expected more than {expected:e}"
+    )]
+    RepeatedModes {
+        /// Which pivot of the factorisation, from 0.
+        mode: usize,
+        /// Its value.
+        found: f64,
+        /// What is round-off.
+        expected: f64,
+    },
     /// A constant of a kernel is not finite.
     #[error("{kernel}: node {node} is the constant {found}, expected a finite number")]
     NotFinite {

@@ -6,7 +6,7 @@
 mod random_body;
 
 use ffrf_codegen::formulate::KernelKind;
-use ffrf_codegen::{GenerateOptions, KernelInput, Kernels};
+use ffrf_codegen::{GenerateOptions, KernelInput, Kernels, Strategy, generate};
 use random_body::{Modes, Random, random_body};
 
 /// Of M w + Q + K q + D q̇ - f relative to the terms of its row: some dozens of roundings, of which 7e-16 is found. The
@@ -83,6 +83,26 @@ fn modes_that_contain_rigid_motion_are_refused() {
     inertia.position_mode_moment[0] = [0, 1, 2].map(|i| [first[i], 0.0, 0.0]);
     let error = Kernels::formulate(&body, &GenerateOptions::default()).unwrap_err().to_string();
     assert!(error.starts_with("the modes are not independent of rigid-body motion: pivot 0"), "{error}");
+}
+
+#[test]
+fn modes_that_repeat_each_other_are_refused() {
+    let mut body = random_body(24, 8, Modes::Random);
+    // The fourth mode is the second one again.
+    let inertia = &mut body.inertia;
+    inertia.modal_first_moment[3] = inertia.modal_first_moment[1];
+    inertia.position_mode_moment[3] = inertia.position_mode_moment[1];
+    for row in &mut inertia.mode_mode_moment {
+        row[3] = row[1];
+    }
+    inertia.mode_mode_moment[3] = inertia.mode_mode_moment[1].clone();
+    for strategy in [Strategy::Lanes, Strategy::StraightLine] {
+        let options = GenerateOptions { strategy, ..GenerateOptions::default() };
+        let error = generate(&body, &options).map(|code| code.report).unwrap_err().to_string();
+        let expected =
+            "the modes are not independent of each other: the mass of mode 3 that the modes before it";
+        assert!(error.starts_with(expected), "{strategy:?}: {error}");
+    }
 }
 
 #[test]

@@ -8,7 +8,7 @@ use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::formulate::State;
-use ffrf_codegen::lanes::LaneTables;
+use ffrf_codegen::lanes::{LaneTables, modal_compliance};
 use ffrf_codegen::layout::{Layout, Structure};
 
 use crate::lane_body::Bodies;
@@ -65,22 +65,27 @@ where
 
 /// The tables as the generator arranges them.
 fn tables(graph: &mut Graph, body: &BodyExpressions, scalar: ScalarType) -> LaneTables<Expression> {
-    let compliance = translation_compliance(graph, body);
-    LaneTables::arrange(graph, body, scalar, compliance)
+    let modal = modal_compliance(graph, body).unwrap();
+    let translation = translation_compliance(graph, body, &modal);
+    LaneTables::arrange(graph, body, scalar, &modal, translation)
 }
 
 /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹ by cofactors: xx, yy, zz, xy, xz, yz.
-fn translation_compliance(graph: &mut Graph, body: &BodyExpressions) -> [Expression; 6] {
+fn translation_compliance(
+    graph: &mut Graph,
+    body: &BodyExpressions,
+    modal: &[Vec<Expression>],
+) -> [Expression; 6] {
     let mut left = [[graph.zero(); 3]; 3];
     for i in 0..3 {
         for j in 0..3 {
-            let terms: Vec<Expression> = (0..body.mode_count())
-                .map(|mu| {
-                    let b = body.modal_first_moment[mu];
-                    let product = graph.multiply(b[i], b[j]);
-                    graph.divide(product, body.modal_mass[mu][mu])
-                })
-                .collect();
+            let mut terms = Vec::new();
+            for (b, row) in body.modal_first_moment.iter().zip(modal) {
+                for (c, entry) in body.modal_first_moment.iter().zip(row) {
+                    let product = graph.multiply(b[i], c[j]);
+                    terms.push(graph.multiply(product, *entry));
+                }
+            }
             let carried = graph.sum(terms);
             let mass = if i == j { body.mass } else { graph.zero() };
             left[i][j] = graph.subtract(mass, carried);

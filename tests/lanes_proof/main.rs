@@ -28,12 +28,12 @@ mod polynomials;
 use ffrf_codegen::fidelity::Fidelity;
 use ffrf_codegen::layout::{Layout, Structure};
 
-/// Layouts that loops exist for: Θ_ff identity or diagonal; each other structure by itself.
+/// Layouts of all kinds; each other structure by itself.
 fn layouts() -> Vec<Layout> {
     let mut layouts = Vec::new();
-    for modal_mass in [Structure::Identity, Structure::Diagonal] {
+    for modal_mass in [Structure::Identity, Structure::Diagonal, Structure::Symmetric] {
         for base in [Layout::GENERAL, Layout::FREE_FREE] {
-            for stiffness in [Structure::Zero, Structure::Diagonal] {
+            for stiffness in [Structure::Zero, Structure::Diagonal, Structure::Symmetric] {
                 let base = Layout { modal_mass, stiffness, damping: stiffness, ..base };
                 layouts.push(base);
                 layouts.push(Layout { first_moment: Structure::Zero, ..base });

@@ -9,11 +9,13 @@ use crate::mutated::every_mutant_is_found;
 
 #[test]
 fn any_wrong_operation_in_the_loops_breaks_the_proof() {
-    let layout = Layout { modal_mass: Structure::Diagonal, ..Layout::GENERAL };
-    let mut graph = Graph::new();
-    let body = BodyExpressions::symbolic(&mut graph, 2, &layout);
-    let loops = whole::<2, 8, 1, 0, 1>(&mut graph, &body);
-    let outputs = [loops.mass_matrix.concat(), loops.quadratic_velocity].concat();
-    let mutants = every_mutant_is_found(&graph, &outputs);
-    assert!(mutants > 200);
+    for modal_mass in [Structure::Diagonal, Structure::Symmetric] {
+        let layout = Layout { modal_mass, ..Layout::GENERAL };
+        let mut graph = Graph::new();
+        let body = BodyExpressions::symbolic(&mut graph, 2, &layout);
+        let loops = whole::<2, 8, 1, 0, 1>(&mut graph, &body);
+        let outputs = [loops.mass_matrix.concat(), loops.quadratic_velocity].concat();
+        let mutants = every_mutant_is_found(&graph, &outputs);
+        assert!(mutants > 200);
+    }
 }

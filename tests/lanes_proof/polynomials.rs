@@ -59,26 +59,27 @@ fn loops_over_one_group_equal_the_derived_equations() {
     prove_all(4, whole::<4, 10, 1, 0, 1>, &layouts(), &fidelities());
 }
 
-/// The general layout with a diagonal Θ_ff, and the free-free one with the identity.
-fn two_layouts() -> [Layout; 2] {
+/// The general layout with a diagonal and with a dense Θ_ff, and the free-free one with the identity.
+fn three_layouts() -> [Layout; 3] {
     [
         Layout { modal_mass: Structure::Diagonal, ..Layout::GENERAL },
         Layout { modal_mass: Structure::Identity, ..Layout::FREE_FREE },
+        Layout::GENERAL,
     ]
 }
 
 /// A pair of groups, and a pair with a single group after it; with padding.
 #[test]
 fn loops_over_pairs_of_groups_equal_the_derived_equations() {
-    prove_all(6, whole::<6, 12, 2, 1, 0>, &two_layouts(), &[Fidelity::Full, Fidelity::Linear]);
-    prove_all(9, whole::<9, 15, 3, 1, 1>, &two_layouts(), &[Fidelity::Full]);
+    prove_all(6, whole::<6, 12, 2, 1, 0>, &three_layouts(), &[Fidelity::Full, Fidelity::Linear]);
+    prove_all(9, whole::<9, 15, 3, 1, 1>, &three_layouts(), &[Fidelity::Full]);
 }
 
 /// The smallest bodies whose moments are stored by half, in blocks of four (f64) and of eight (f32).
 #[test]
 fn loops_over_half_of_the_moments_equal_the_derived_equations() {
-    prove_all(21, half::<21, 27, 6, 4, 6, 120>, &two_layouts(), &[Fidelity::Full]);
-    prove_all(28, half::<28, 34, 8, 8, 4, 48>, &two_layouts()[..1], &[Fidelity::Full]);
+    prove_all(21, half::<21, 27, 6, 4, 6, 120>, &three_layouts(), &[Fidelity::Full]);
+    prove_all(28, half::<28, 34, 8, 8, 4, 48>, &three_layouts()[..1], &[Fidelity::Full]);
 }
 
 /// Invariants that come at run time, read from the fields of a struct.

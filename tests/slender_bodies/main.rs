@@ -69,17 +69,16 @@ fn measure(modes: usize, thickness: f64, turn: &Rotation3<f64>, applied: Force) 
         let force = &motion.force;
         found.statements.widen(errors(&kernels.forward_dynamics(q, omega, q_dot, force)));
 
-        let internal = kernels.internal_force(q, q_dot);
-        let mut net = force.clone();
-        net.iter_mut().skip(6).zip(&internal).for_each(|(net, internal)| *net -= internal);
-        if let (Some(loops), Some(tables)) = (&loops, &tables) {
-            let force = if tables.internal.is_none() { &net } else { force };
+        if let Some(loops) = &loops {
             found
                 .loops
                 .get_or_insert_default()
                 .widen(errors(&loops.forward_dynamics(q, *omega, q_dot, force)));
         }
 
+        let internal = kernels.internal_force(q, q_dot);
+        let mut net = force.clone();
+        net.iter_mut().skip(6).zip(&internal).for_each(|(net, internal)| *net -= internal);
         let quadratic = kernels.quadratic_velocity(q, omega, q_dot);
         net.iter_mut().zip(&quadratic).for_each(|(net, quadratic)| *net -= quadratic);
         let columns = kernels.mass_matrix(q).concat();

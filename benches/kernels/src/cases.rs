@@ -23,6 +23,9 @@ pub const CHECKED: [usize; 15] = [1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 16, 17, 20, 21,
 /// Numbers of modes around the change-over, in lanes and in statements.
 pub const CHANGE_OVER: [usize; 6] = [3, 4, 5, 6, 7, 8];
 
+/// Numbers of modes at which bodies with a dense Θ_ff are timed, in lanes and in statements.
+pub const DENSE: [usize; 6] = [3, 4, 5, 6, 8, 16];
+
 /// Every case.
 pub fn all() -> Vec<Case> {
     let mut cases = Vec::new();
@@ -45,6 +48,16 @@ pub fn all() -> Vec<Case> {
     for modes in CHANGE_OVER {
         add(format!("statements_m{modes}"), body(modes, Modes::Normalised), statements());
     }
+    for modes in DENSE {
+        let dense = random_body(100 + modes as u64, modes, Modes::Random);
+        add(format!("statements_dense_m{modes}"), dense.clone(), statements());
+        add(format!("lanes_dense_m{modes}"), dense, lanes());
+    }
+    for modes in [9, 21] {
+        add(format!("lanes_dense_m{modes}"), random_body(100 + modes as u64, modes, Modes::Random), lanes());
+    }
+    let single = GenerateOptions { scalar: ScalarType::F32, ..lanes() };
+    add("lanes_dense_single_m9".to_owned(), random_body(109, 9, Modes::Random), single);
     for modes in [3, 9, 21] {
         add(format!("lanes_free_free_m{modes}"), body(modes, Modes::FreeFree), lanes());
         add(format!("lanes_diagonal_m{modes}"), scaled(body(modes, Modes::Normalised)), lanes());

@@ -72,9 +72,20 @@ fn main() {
         7 13 statements_m7 lanes_m7;
         8 14 statements_m8 lanes_m8;
     }
+    let mut dense = Table::new("The change-over for bodies with a dense Θ_ff, which is at 7 modes as well");
+    strategies! { dense, rounds;
+        3 9 statements_dense_m3 lanes_dense_m3;
+        4 10 statements_dense_m4 lanes_dense_m4;
+        5 11 statements_dense_m5 lanes_dense_m5;
+        6 12 statements_dense_m6 lanes_dense_m6;
+        8 14 statements_dense_m8 lanes_dense_m8;
+        16 22 statements_dense_m16 lanes_dense_m16;
+    }
     for kernel in [EQUATIONS, ACCELERATIONS] {
         let (lanes, statements) = (format!("lanes {kernel}"), format!("statements {kernel}"));
-        strategies.add_ratio(&format!("lanes / statements, {kernel}"), &lanes, &statements);
+        for table in [&mut strategies, &mut dense] {
+            table.add_ratio(&format!("lanes / statements, {kernel}"), &lanes, &statements);
+        }
     }
     let mut storage = Table::new("Accelerations with all moments stored and with half of them");
     storages! { storage, rounds;
@@ -85,7 +96,7 @@ fn main() {
         64 70 16 8 960;
     }
     storage.add_ratio("half / whole", "half", "whole");
-    for table in [layouts, strategies, storage] {
+    for table in [layouts, strategies, dense, storage] {
         println!("{table}");
     }
 }

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use ffrf::nalgebra::SVector;
-use ffrf_runtime::lanes::{Diagonal, FullTable, HalfTable, LaneBody, MomentTable};
+use ffrf_runtime::lanes::{FullTable, HalfTable, LaneBody, ModalMatrix, MomentTable};
 
 use crate::columns::States;
 use crate::timing::Column;
@@ -18,11 +18,11 @@ fn body<const M: usize, const G: usize, P>(moments: P) -> LaneBody<'static, f64,
         translation_compliance: [0.3, 0.3, 0.3, 0.01, 0.02, 0.03],
         position_mode_even: Some(Box::leak(Box::new([[[0.02; 4]; 6]; G]))),
         position_mode_odd: Some(Box::leak(Box::new([[[0.03; 4]; 3]; G]))),
-        trace: Diagonal::Identity,
-        modal_mass: Diagonal::Identity,
-        modal_compliance: Diagonal::Identity,
-        stiffness: Diagonal::Entries(Box::leak(Box::new([[40.0; 4]; G]))),
-        damping: Diagonal::Zero,
+        trace: ModalMatrix::Identity,
+        modal_mass: ModalMatrix::Identity,
+        modal_compliance: ModalMatrix::Identity,
+        stiffness: ModalMatrix::Diagonal(Box::leak(Box::new([[40.0; 4]; G]))),
+        damping: ModalMatrix::Zero,
         moments,
     }
 }

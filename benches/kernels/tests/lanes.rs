@@ -45,6 +45,12 @@ agree! { true;
     lanes_diagonal_m3 3 9;
     lanes_diagonal_m9 9 15;
     lanes_diagonal_m21 21 27;
+    lanes_dense_m3 3 9;
+    lanes_dense_m4 4 10;
+    lanes_dense_m5 5 11;
+    lanes_dense_m9 9 15;
+    lanes_dense_m16 16 22;
+    lanes_dense_m21 21 27;
 }
 
 agree! { false;
@@ -69,4 +75,5 @@ agree_single! {
     lanes_single_m9 9 15;
     lanes_single_m21 21 27;
     lanes_single_m28 28 34;
+    lanes_dense_single_m9 9 15;
 }

@@ -12,6 +12,7 @@ mod state;
 mod structured;
 
 pub use kernel::{Argument, Kernel, KernelKind, OutputShape};
+pub(crate) use modal_mass::inverse_modal_mass;
 pub use observables::{
     angular_momentum, elastic_energy, gravity_force, internal_force, kinetic_energy, linear_momentum,
 };

@@ -1,5 +1,6 @@
 //! Eliminating the modal accelerations: what has to be done with Θ_ff.
 
+use crate::CodegenError;
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph};
 use crate::layout::Structure;
@@ -23,19 +24,25 @@ pub(super) struct Prepared {
 }
 
 impl ModalMass {
-    pub(super) fn new(graph: &mut Graph, body: &BodyExpressions) -> Self {
+    /// Errors: [`CodegenError::RepeatedModes`] if Θ_ff is a constant that is not positive definite.
+    pub(super) fn new(graph: &mut Graph, body: &BodyExpressions) -> Result<Self, CodegenError> {
         let mass = &body.modal_mass;
         let one = graph.one();
         match body.modal_mass_structure {
-            Structure::Zero | Structure::Identity => Self::Identity,
+            Structure::Zero | Structure::Identity => Ok(Self::Identity),
             Structure::Diagonal => {
-                Self::Diagonal((0..mass.len()).map(|mu| graph.divide(one, mass[mu][mu])).collect())
+                let mut inverse = Vec::with_capacity(mass.len());
+                for (mu, row) in mass.iter().enumerate() {
+                    check_pivot(graph, mu, row[mu], row[mu])?;
+                    inverse.push(graph.divide(one, row[mu]));
+                }
+                Ok(Self::Diagonal(inverse))
             }
             _ => Self::cholesky(graph, mass),
         }
     }
 
-    fn cholesky(graph: &mut Graph, mass: &[Vec<Expression>]) -> Self {
+    fn cholesky(graph: &mut Graph, mass: &[Vec<Expression>]) -> Result<Self, CodegenError> {
         let one = graph.one();
         let mut lower: Vec<Vec<Expression>> = Vec::with_capacity(mass.len());
         let mut inverse_diagonal = Vec::with_capacity(mass.len());
@@ -46,11 +53,12 @@ impl ModalMass {
                 row.push(graph.multiply(sum, inverse_diagonal[j]));
             }
             let pivot = minus_products(graph, mass[i][i], row.iter().map(|&entry| (entry, entry)));
+            check_pivot(graph, i, pivot, mass[i][i])?;
             let root = graph.square_root(pivot);
             inverse_diagonal.push(graph.divide(one, root));
             lower.push(row);
         }
-        Self::Cholesky { lower, inverse_diagonal }
+        Ok(Self::Cholesky { lower, inverse_diagonal })
     }
 
     /// Prepares a vector over the modes for products and for the elimination.
@@ -101,6 +109,37 @@ impl Prepared {
     pub(super) fn subtract_product(&self, graph: &mut Graph, start: Expression, other: &Self) -> Expression {
         let terms = self.left.iter().zip(&other.right).map(|(&x, &y)| (x, y));
         minus_products(graph, start, terms)
+    }
+}
+
+/// Θ_ff⁻¹. Shape: M x M.
+///
+/// Errors: [`CodegenError::RepeatedModes`].
+pub(crate) fn inverse_modal_mass(
+    graph: &mut Graph,
+    body: &BodyExpressions,
+) -> Result<Vec<Vec<Expression>>, CodegenError> {
+    let modes = body.mode_count();
+    let mass = ModalMass::new(graph, body)?;
+    let (zero, one) = (graph.zero(), graph.one());
+    let columns = (0..modes)
+        .map(|mu| {
+            let unit: Vec<Expression> = (0..modes).map(|nu| if nu == mu { one } else { zero }).collect();
+            let prepared = mass.prepare(graph, &unit);
+            mass.solve(graph, &prepared, &[])
+        })
+        .collect();
+    Ok(columns)
+}
+
+/// A constant pivot of Θ_ff must be positive, by more than round-off of the entry that it is left of.
+fn check_pivot(graph: &Graph, mode: usize, pivot: Expression, entry: Expression) -> Result<(), CodegenError> {
+    let expected = graph.constant_value(entry).unwrap_or(0.0) * 1e-14;
+    match graph.constant_value(pivot) {
+        Some(found) if found.is_nan() || found <= expected => {
+            Err(CodegenError::RepeatedModes { mode, found, expected })
+        }
+        _ => Ok(()),
     }
 }
 

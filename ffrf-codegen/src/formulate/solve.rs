@@ -13,7 +13,8 @@ use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3, symmetri
 /// With w = Θ_ff⁻¹: the reduced mass is m I - m² B w Bᵀ, constant, so that its inverse costs nothing
 /// where the invariants are constants; the mass matrix itself is never formed.
 ///
-/// Errors: [`CodegenError::DependentModes`] if the reduced mass is a constant that is not positive definite.
+/// Errors: [`CodegenError::RepeatedModes`] or [`CodegenError::DependentModes`] if Θ_ff or the reduced mass is a constant
+/// that is not positive definite.
 pub fn forward_dynamics(
     graph: &mut Graph,
     body: &BodyExpressions,
@@ -34,7 +35,7 @@ pub fn forward_dynamics(
     }
 
     graph.section("Elimination of the modal accelerations");
-    let modal_mass = ModalMass::new(graph, body);
+    let modal_mass = ModalMass::new(graph, body)?;
     let rows = |row: &dyn Fn(usize) -> Vec<Expression>, graph: &mut Graph| {
         [0, 1, 2].map(|i| modal_mass.prepare(graph, &row(i)))
     };

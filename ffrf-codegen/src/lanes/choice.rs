@@ -3,10 +3,9 @@
 use ffrf_model::ReducedBody;
 
 use super::LaneTables;
-use super::compliance::translation_compliance;
+use super::compliance::{modal_compliance, translation_compliance};
 use crate::body::BodyExpressions;
 use crate::expression::Graph;
-use crate::layout::Structure;
 use crate::options::Strategy;
 use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
 
@@ -27,18 +26,16 @@ pub fn tables_of(body: &ReducedBody, options: &GenerateOptions) -> Result<Option
 
 /// The tables if the body is to be computed in lanes, `None` for straight-line code.
 ///
-/// Lanes need a diagonal Θ_ff, at least one mode, and leave the contraction of products and sums to the target.
-/// Errors: lanes were demanded where they cannot be had, or the modes contain rigid-body motion.
+/// Lanes need at least one mode, and leave the contraction of products and sums to the target.
+/// Errors: lanes were demanded where they cannot be had, the modes depend on each other, or they contain rigid-body
+/// motion.
 pub(crate) fn choose(
     graph: &mut Graph,
     body: &BodyExpressions,
     options: &GenerateOptions,
 ) -> Result<Option<LaneTables>, CodegenError> {
-    let diagonal = matches!(body.modal_mass_structure, Structure::Identity | Structure::Diagonal);
     let obstacle = if body.mode_count() == 0 {
         Some("a body without modes has no lanes")
-    } else if !diagonal {
-        Some("they need a diagonal modal mass, found a dense one")
     } else if options.fused_multiply_add != FusedMultiplyAdd::Auto {
         Some("they contract products and sums where the target does (fma: auto)")
     } else {
@@ -58,6 +55,7 @@ fn tables(
     body: &BodyExpressions,
     options: &GenerateOptions,
 ) -> Result<LaneTables, CodegenError> {
-    let compliance = translation_compliance(graph, body)?.map(|entry| graph.constant(entry));
-    Ok(LaneTables::arrange(graph, body, options.scalar, compliance).numbers(graph))
+    let modal = modal_compliance(graph, body)?;
+    let translation = translation_compliance(graph, body, &modal)?.map(|entry| graph.constant(entry));
+    Ok(LaneTables::arrange(graph, body, options.scalar, &modal, translation).numbers(graph))
 }

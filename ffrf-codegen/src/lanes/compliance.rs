@@ -1,31 +1,55 @@
-//! The inverse of the mass that the modes leave for translation.
+//! The inverses that the tables hold: of Θ_ff, and of the mass that the modes leave for translation.
 
 use crate::CodegenError;
 use crate::body::BodyExpressions;
-use crate::expression::Graph;
+use crate::expression::{Expression, Graph};
+use crate::formulate::inverse_modal_mass;
 use crate::lanes::table::number;
 
-/// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹ of a body of constants with a diagonal Θ_ff: xx, yy, zz, xy, xz, yz. Units: 1/kg.
+/// Θ_ff⁻¹. Shape: M x M.
+///
+/// Errors: [`CodegenError::RepeatedModes`].
+pub fn modal_compliance(
+    graph: &mut Graph,
+    body: &BodyExpressions,
+) -> Result<Vec<Vec<Expression>>, CodegenError> {
+    inverse_modal_mass(graph, body)
+}
+
+/// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹ of a body of constants: xx, yy, zz, xy, xz, yz. Units: 1/kg.
 ///
 /// By Cholesky factors, which also show whether it is positive definite.
 /// Errors: the modes contain rigid-body translation.
 pub(super) fn translation_compliance(
     graph: &Graph,
     body: &BodyExpressions,
+    modal_compliance: &[Vec<Expression>],
 ) -> Result<[f64; 6], CodegenError> {
     let mass = number(graph, body.mass);
     let first: Vec<[f64; 3]> =
         body.modal_first_moment.iter().map(|moment| moment.map(|entry| number(graph, entry))).collect();
-    let modal_mass: Vec<f64> =
-        (0..body.mode_count()).map(|mu| number(graph, body.modal_mass[mu][mu])).collect();
-    invert(mass, &first, &modal_mass)
+    // Θ_ff⁻¹ (m B)ᵀ, row by row.
+    let weighted: Vec<[f64; 3]> = modal_compliance
+        .iter()
+        .map(|row| {
+            let mut sums = [0.0; 3];
+            for (entry, b) in row.iter().zip(&first) {
+                let entry = number(graph, *entry);
+                for (sum, b) in sums.iter_mut().zip(b) {
+                    *sum += entry * b;
+                }
+            }
+            sums
+        })
+        .collect();
+    invert(mass, &first, &weighted)
 }
 
-fn invert(mass: f64, first: &[[f64; 3]], modal_mass: &[f64]) -> Result<[f64; 6], CodegenError> {
+fn invert(mass: f64, first: &[[f64; 3]], weighted: &[[f64; 3]]) -> Result<[f64; 6], CodegenError> {
     let mut left = [[0.0; 3]; 3];
     for (i, row) in left.iter_mut().enumerate() {
         for (j, entry) in row.iter_mut().enumerate() {
-            let carried: f64 = first.iter().zip(modal_mass).map(|(b, m)| b[i] * b[j] / m).sum();
+            let carried: f64 = first.iter().zip(weighted).map(|(b, w)| b[i] * w[j]).sum();
             *entry = if i == j { mass - carried } else { -carried };
         }
     }

@@ -31,7 +31,7 @@ impl KernelText<'_> {
         for kind in IN_LANES {
             text.push('\n');
             for line in document(kind) {
-                let _ = writeln!(text, "    /// {line}");
+                let _ = writeln!(text, "{}", format!("    /// {line}").trim_end());
             }
             text.push_str(&self.function(kind));
         }

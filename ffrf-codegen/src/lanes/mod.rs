@@ -16,9 +16,10 @@ mod text;
 
 pub(crate) use choice::choose;
 pub use choice::tables_of;
+pub use compliance::modal_compliance;
 pub use moment_tables::MomentTables;
 pub(crate) use parameters::{LaneParameters, choose_parameters};
-pub use table::{Diagonal, Table};
+pub use table::{ModalMatrix, Table};
 pub use tables::LaneTables;
 pub use text::IN_LANES;
 pub(crate) use text::{functions, trait_method};

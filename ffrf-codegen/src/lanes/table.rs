@@ -46,23 +46,26 @@ impl Table<Expression> {
     }
 }
 
-/// A diagonal matrix over the modes.
+/// A symmetric matrix over the modes.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Diagonal<V = f64> {
+pub enum ModalMatrix<V = f64> {
     /// Nothing.
     Zero,
     /// Ones.
     Identity,
     /// These entries. Shape: groups, lanes (4).
-    Entries(Table<V>),
+    Diagonal(Table<V>),
+    /// All entries. Shape: groups, modes ν, lanes (4) over μ.
+    Dense(Table<V>),
 }
 
-impl Diagonal<Expression> {
-    pub(super) fn numbers(&self, graph: &Graph) -> Diagonal {
+impl ModalMatrix<Expression> {
+    pub(super) fn numbers(&self, graph: &Graph) -> ModalMatrix {
         match self {
-            Self::Zero => Diagonal::Zero,
-            Self::Identity => Diagonal::Identity,
-            Self::Entries(entries) => Diagonal::Entries(entries.numbers(graph)),
+            Self::Zero => ModalMatrix::Zero,
+            Self::Identity => ModalMatrix::Identity,
+            Self::Diagonal(entries) => ModalMatrix::Diagonal(entries.numbers(graph)),
+            Self::Dense(entries) => ModalMatrix::Dense(entries.numbers(graph)),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The invariants of a body in the layout of vector registers, padded with zero.
 
 use super::table::number;
-use super::{Diagonal, MomentTables, Table};
+use super::{ModalMatrix, MomentTables, Table};
 use crate::ScalarType;
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph};
@@ -30,33 +30,34 @@ pub struct LaneTables<V = f64> {
     pub position_mode_even: Option<Table<V>>,
     /// ϑ_μ. Shape: groups, axes (3), lanes (4).
     pub position_mode_odd: Option<Table<V>>,
-    /// tr T_μμ.
-    pub trace: Diagonal<V>,
+    /// tr T_μν.
+    pub trace: ModalMatrix<V>,
     /// Θ_ff.
-    pub modal_mass: Diagonal<V>,
+    pub modal_mass: ModalMatrix<V>,
     /// Θ_ff⁻¹.
-    pub modal_compliance: Diagonal<V>,
-    /// K_ff and D_ff if both are diagonal.
-    pub internal: Option<[Diagonal<V>; 2]>,
+    pub modal_compliance: ModalMatrix<V>,
+    /// K_ff.
+    pub stiffness: ModalMatrix<V>,
+    /// D_ff.
+    pub damping: ModalMatrix<V>,
     /// T_νμ.
     pub moments: MomentTables<V>,
 }
 
 impl LaneTables<Expression> {
-    /// The tables of a body whose Θ_ff is diagonal, as expressions of `graph`.
+    /// The tables of a body, as expressions of `graph`.
     ///
-    /// The scalar type decides how the moments are stored. `translation_compliance` is the inverse of the mass left for
+    /// The scalar type decides how the moments are stored. `modal_compliance` is Θ_ff⁻¹, see
+    /// [`modal_compliance`](super::modal_compliance); `translation_compliance` is the inverse of the mass left for
     /// translation, m I - m B Θ_ff⁻¹ (m B)ᵀ, as xx, yy, zz, xy, xz, yz.
     pub fn arrange(
         graph: &mut Graph,
         body: &BodyExpressions,
         scalar: ScalarType,
+        modal_compliance: &[Vec<Expression>],
         translation_compliance: [Expression; 6],
     ) -> Self {
         let modes = body.mode_count();
-        let modal_mass: Vec<Expression> = (0..modes).map(|mu| body.modal_mass[mu][mu]).collect();
-        let one = graph.one();
-        let modal_compliance = modal_mass.iter().map(|mass| graph.divide(one, *mass)).collect();
         let arrange = Arrangement { zero: graph.zero(), graph };
 
         let components = |mu: usize, nu: usize| {
@@ -72,8 +73,8 @@ impl LaneTables<Expression> {
         let groups = moments.groups(modes);
         let even: Vec<[Expression; 6]> = body.position_mode.iter().map(|moment| moment.even).collect();
         let odd: Vec<[Expression; 3]> = body.position_mode.iter().map(|moment| moment.odd).collect();
-        let trace = (0..modes).map(|mu| body.mode_mode[mu][mu].even[0]).collect();
-        let internal = arrange.diagonal_of(&body.stiffness).zip(arrange.diagonal_of(&body.damping));
+        let trace: Vec<Vec<Expression>> =
+            body.mode_mode.iter().map(|row| row.iter().map(|moment| moment.even[0]).collect()).collect();
         let [xx, yy, zz] = body.inertia.diagonal;
         let [yz, xz, xy] = body.inertia.off_diagonal;
         Self {
@@ -86,12 +87,11 @@ impl LaneTables<Expression> {
             translation_compliance,
             position_mode_even: arrange.in_lanes(groups, &even),
             position_mode_odd: arrange.in_lanes(groups, &odd),
-            trace: arrange.diagonal(groups, trace),
-            modal_mass: arrange.diagonal(groups, modal_mass),
-            modal_compliance: arrange.diagonal(groups, modal_compliance),
-            internal: internal.map(|(stiffness, damping)| {
-                [arrange.diagonal(groups, stiffness), arrange.diagonal(groups, damping)]
-            }),
+            trace: arrange.matrix(groups, &trace),
+            modal_mass: arrange.matrix(groups, &body.modal_mass),
+            modal_compliance: arrange.matrix(groups, modal_compliance),
+            stiffness: arrange.matrix(groups, &body.stiffness),
+            damping: arrange.matrix(groups, &body.damping),
             moments,
         }
     }
@@ -112,7 +112,8 @@ impl LaneTables<Expression> {
             trace: self.trace.numbers(graph),
             modal_mass: self.modal_mass.numbers(graph),
             modal_compliance: self.modal_compliance.numbers(graph),
-            internal: self.internal.as_ref().map(|[k, d]| [k.numbers(graph), d.numbers(graph)]),
+            stiffness: self.stiffness.numbers(graph),
+            damping: self.damping.numbers(graph),
             moments: self.moments.numbers(graph),
         }
     }
@@ -147,21 +148,23 @@ impl Arrangement<'_> {
         (!self.is_zero(rows.as_flattened())).then(|| Table::new([groups, K, 4], at))
     }
 
-    fn diagonal(&self, groups: usize, entries: Vec<Expression>) -> Diagonal<Expression> {
+    fn matrix(&self, groups: usize, matrix: &[Vec<Expression>]) -> ModalMatrix<Expression> {
+        let modes = matrix.len();
+        let is_diagonal =
+            (0..modes).all(|mu| (0..modes).all(|nu| mu == nu || self.graph.is_zero(matrix[mu][nu])));
+        if !is_diagonal {
+            let at =
+                |[group, nu, lane]: [usize; 3]| matrix.get(4 * group + lane).map_or(self.zero, |row| row[nu]);
+            return ModalMatrix::Dense(Table::new([groups, modes, 4], at));
+        }
+        let entries: Vec<Expression> = (0..modes).map(|mu| matrix[mu][mu]).collect();
         if self.is_zero(&entries) {
-            Diagonal::Zero
+            ModalMatrix::Zero
         } else if entries.iter().all(|entry| self.graph.constant_value(*entry) == Some(1.0)) {
-            Diagonal::Identity
+            ModalMatrix::Identity
         } else {
             let at = |[group, lane]: [usize; 2]| entries.get(4 * group + lane).copied().unwrap_or(self.zero);
-            Diagonal::Entries(Table::new([groups, 4], at))
+            ModalMatrix::Diagonal(Table::new([groups, 4], at))
         }
-    }
-
-    /// The diagonal of a matrix that has nothing else.
-    fn diagonal_of(&self, matrix: &[Vec<Expression>]) -> Option<Vec<Expression>> {
-        let beside = |mu: usize| (0..matrix.len()).filter(move |nu| *nu != mu);
-        let is_diagonal = (0..matrix.len()).all(|mu| beside(mu).all(|nu| self.graph.is_zero(matrix[mu][nu])));
-        is_diagonal.then(|| (0..matrix.len()).map(|mu| matrix[mu][mu]).collect())
     }
 }

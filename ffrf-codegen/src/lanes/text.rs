@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::kernels_text::{Form, KernelText};
-use super::{Diagonal, LaneTables, MomentTables, Table};
+use super::{LaneTables, ModalMatrix, MomentTables, Table};
 use crate::ScalarType;
 use crate::emit::literal;
 use crate::formulate::KernelKind;
@@ -65,10 +65,7 @@ pub(crate) fn functions(
         loops: "BODY",
         state: evaluation(modes, 2, "omega", "q_dot"),
         state_at_rest: evaluation(modes, 2, &format!("&[{zero}; 3]"), &format!("&[{zero}; {modes}]")),
-        net_force: match tables.internal {
-            Some(_) => form.input("force"),
-            None => form.net_force("&internal_force(q, q_dot)"),
-        },
+        net_force: form.input("force"),
     };
     text.push_str(&kernels.functions(document));
     text
@@ -95,10 +92,6 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
     let (modes, size, scalar) = (tables.modes, 6 + tables.modes, scalar.name());
     let vector = |size: usize| format!("&::ffrf::nalgebra::SVector<{scalar}, {size}>");
     let (coordinates, forces) = (vector(modes), vector(size));
-    let force = match tables.internal {
-        Some(_) => "support::array(force)",
-        None => "&support::lanes::net_force(support::array(force), &internal_force(q, q_dot))",
-    };
     format!(
         "
         #[inline]
@@ -113,7 +106,7 @@ pub(crate) fn trait_method(tables: &LaneTables, scalar: ScalarType) -> String {
             acceleration: &mut ::ffrf::nalgebra::SVector<{scalar}, {size}>,
         ) {{
             let (q, q_dot) = (support::array(q), support::array(q_dot));
-            let force = {force};
+            let force = support::array(force);
 {}            BODY.write_equations_of_motion(
                 &state,
                 q,
@@ -155,26 +148,38 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
     );
     let position_mode_odd =
         optional("POSITION_MODE_ODD", "ϑ_μ. Layout: group, axis, lane.", &tables.position_mode_odd);
-    let mut diagonal = |name: &str, meaning: &str, diagonal: &Diagonal| match diagonal {
-        Diagonal::Zero => "support::lanes::Diagonal::Zero".to_owned(),
-        Diagonal::Identity => "support::lanes::Diagonal::Identity".to_owned(),
-        Diagonal::Entries(table) => {
-            item(name, meaning, table);
-            format!("support::lanes::Diagonal::Entries(&{name})")
+    let mut matrix = |name: &str, meaning: &str, matrix: &ModalMatrix| match matrix {
+        ModalMatrix::Zero => "support::lanes::ModalMatrix::Zero".to_owned(),
+        ModalMatrix::Identity => "support::lanes::ModalMatrix::Identity".to_owned(),
+        ModalMatrix::Diagonal(table) => {
+            item(name, &format!("{meaning}. Layout: group, lane."), table);
+            format!("support::lanes::ModalMatrix::Diagonal(&{name})")
+        }
+        ModalMatrix::Dense(table) => {
+            item(name, &format!("{meaning}. Layout: group, mode, lane."), table);
+            format!("support::lanes::ModalMatrix::Dense(&{name})")
         }
     };
-    let trace = diagonal("TRACE", "tr T_μμ. Layout: group, lane.", &tables.trace);
-    let modal_mass = diagonal("MODAL_MASS", "Θ_ff. Layout: group, lane.", &tables.modal_mass);
-    let modal_compliance =
-        diagonal("MODAL_COMPLIANCE", "Θ_ff⁻¹. Layout: group, lane.", &tables.modal_compliance);
-    let (stiffness, damping) = match &tables.internal {
-        Some([stiffness, damping]) => (
-            diagonal("STIFFNESS", "K_ff. Layout: group, lane.", stiffness),
-            diagonal("DAMPING", "D_ff. Layout: group, lane.", damping),
-        ),
-        None => (diagonal("", "", &Diagonal::Zero), diagonal("", "", &Diagonal::Zero)),
+    let modal_mass = matrix("MODAL_MASS", "Θ_ff", &tables.modal_mass);
+    let trace = if tables.trace == tables.modal_mass {
+        modal_mass.clone()
+    } else {
+        matrix("TRACE", "tr T_μν", &tables.trace)
     };
-    let (kind, moments) = moments(tables, scalar);
+    let modal_compliance = matrix("MODAL_COMPLIANCE", "Θ_ff⁻¹", &tables.modal_compliance);
+    let stiffness = matrix("STIFFNESS", "K_ff", &tables.stiffness);
+    let damping = matrix("DAMPING", "D_ff", &tables.damping);
+    // A constant, so that other crates that use the body see what is left out; its tables stand once, in statics.
+    let (kind, moments) = match moments(tables, scalar) {
+        Some((kind, table)) => {
+            let _ = writeln!(
+                text,
+                "    /// T_νμ in the order in which the loops read them.\n    static MOMENTS: {kind} = {table};\n"
+            );
+            (format!("&{kind}"), "&MOMENTS")
+        }
+        None => ("()".to_owned(), "()"),
+    };
     let array = |numbers: &[f64]| row(numbers, scalar);
     let first_moment = match tables.first_moment {
         Some(moment) => format!("::core::option::Option::Some({})", array(&moment)),
@@ -184,7 +189,7 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
     let _ = writeln!(
         text,
         "    /// The body in lanes: {groups} groups of 4 for {modes} modes; table of moments {} bytes.
-    static BODY: support::lanes::LaneBody<{name}, {modes}, {groups}, {kind}> = support::lanes::LaneBody {{
+    const BODY: support::lanes::LaneBody<{name}, {modes}, {groups}, {kind}> = support::lanes::LaneBody {{
         mass: {mass},
         first_moment: {first_moment},
         modal_first_moment: {modal_first_moment},
@@ -207,7 +212,7 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
 }
 
 /// Type and value of the table of moments.
-fn moments(tables: &LaneTables, scalar: ScalarType) -> (String, String) {
+fn moments(tables: &LaneTables, scalar: ScalarType) -> Option<(String, String)> {
     let (modes, name) = (tables.modes, scalar.constant_type_name());
     let structure = |kind: &str, fields: [(&str, &Table); 2]| {
         let mut text = format!("support::lanes::{kind} {{\n");
@@ -218,20 +223,20 @@ fn moments(tables: &LaneTables, scalar: ScalarType) -> (String, String) {
         text
     };
     match &tables.moments {
-        MomentTables::None => ("()".to_owned(), "()".to_owned()),
+        MomentTables::None => None,
         MomentTables::Whole { eights, fours } => {
             let (pairs, single) = (eights.shape()[0], fours.shape()[0]);
-            (
+            Some((
                 format!("support::lanes::FullTable<{name}, {modes}, {pairs}, {single}>"),
                 structure("FullTable", [("eights", eights), ("fours", fours)]),
-            )
+            ))
         }
         MomentTables::Half { diagonal, below } => {
             let (rows, width, tiles) = (diagonal.shape()[0], diagonal.shape()[2], below.shape()[0]);
-            (
+            Some((
                 format!("support::lanes::HalfTable<{name}, {width}, {rows}, {tiles}>"),
                 structure("HalfTable", [("diagonal", diagonal), ("below", below)]),
-            )
+            ))
         }
     }
 }

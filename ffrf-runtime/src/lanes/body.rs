@@ -1,14 +1,16 @@
 //! The constant numbers of a body, in lanes.
 
-/// A diagonal matrix over the modes, in groups of four; `C` is the type of the constants.
+/// A symmetric matrix over the modes, in groups of four; `C` is the type of the constants.
 #[derive(Debug, Clone, Copy)]
-pub enum Diagonal<'a, C, const G: usize> {
+pub enum ModalMatrix<'a, C, const M: usize, const G: usize> {
     /// Nothing: a dropped term.
     Zero,
     /// Ones.
     Identity,
     /// These entries.
-    Entries(&'a [[C; 4]; G]),
+    Diagonal(&'a [[C; 4]; G]),
+    /// All entries: `[group][nu][lane]`, lanes over μ.
+    Dense(&'a [[[C; 4]; M]; G]),
 }
 
 /// The invariants of a body with `M` modes in `G` groups of four lanes, padded with zero.
@@ -33,15 +35,15 @@ pub struct LaneBody<'a, C, const M: usize, const G: usize, P> {
     /// ϑ_μ. Shape: groups of 3 registers.
     pub position_mode_odd: Option<&'a [[[C; 4]; 3]; G]>,
     /// tr T_μν, which multiplies q in the trace of T_μ^d.
-    pub trace: Diagonal<'a, C, G>,
+    pub trace: ModalMatrix<'a, C, M, G>,
     /// Θ_ff.
-    pub modal_mass: Diagonal<'a, C, G>,
+    pub modal_mass: ModalMatrix<'a, C, M, G>,
     /// Θ_ff⁻¹.
-    pub modal_compliance: Diagonal<'a, C, G>,
-    /// K_ff if it is diagonal; otherwise zero, and elastic forces are subtracted from `force` by the caller.
-    pub stiffness: Diagonal<'a, C, G>,
+    pub modal_compliance: ModalMatrix<'a, C, M, G>,
+    /// K_ff; zero if elastic forces are subtracted from `force` by the caller.
+    pub stiffness: ModalMatrix<'a, C, M, G>,
     /// D_ff in the same way.
-    pub damping: Diagonal<'a, C, G>,
+    pub damping: ModalMatrix<'a, C, M, G>,
     /// Moments T_μν.
     pub moments: P,
 }

@@ -2,7 +2,7 @@
 
 use super::equations::{State, accumulate, sums};
 use super::rigid::{dot, inverse, subtract, times};
-use super::scalar::{Register, four, grouped, groups, ungroup};
+use super::scalar::{Register, four, grouped, groups, stored, ungroup};
 use super::{LaneBody, Lanes, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
@@ -58,7 +58,7 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Accelerations [α; ω̇; q̈] under `force`, from which the caller subtracts the elastic and damping
     /// forces that are not in [`LaneBody::stiffness`] and [`LaneBody::damping`].
     ///
-    /// M⁻¹ (force - Q): q̈ by the diagonal Θ_ff, α by a constant matrix, ω̇ by a 3 x 3 inverse.
+    /// M⁻¹ (force - Q): q̈ and α by constant matrices, ω̇ by a 3 x 3 inverse.
     #[inline(always)]
     pub fn forward_dynamics<T: Scalar<Constant = C>, const N: usize>(
         &self,
@@ -87,13 +87,20 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
         let mut coupled = [Register::<T>::zero(); 9];
         let mut shared = [Register::<T>::zero(); 9];
         let mut carried = [Register::<T>::zero(); 3];
+        let (coordinates, rates) = (stored::<T, G>(&q), stored::<T, G>(&q_dot));
         for g in 0..G {
             modal[g] = modal[g] - Register::<T>::load(&state.modal.whirl[g]);
-            modal[g] = self.stiffness.subtract_product::<T>(g, q[g], modal[g]);
-            modal[g] = self.damping.subtract_product::<T>(g, q_dot[g], modal[g]);
+            modal[g] = self.stiffness.subtract_product::<T>(g, q[g], &coordinates, modal[g]);
+            modal[g] = self.damping.subtract_product::<T>(g, q_dot[g], &rates, modal[g]);
+        }
+        let net = stored::<T, G>(&modal);
+        for g in 0..G {
             let rows = state.coupling(g);
-            let weighted = rows.map(|row| self.modal_compliance.times::<T>(g, row));
-            let free = self.modal_compliance.times::<T>(g, modal[g]);
+            let [row_x, row_y, row_z] = rows;
+            let [x, y, z] = &state.modal.odd;
+            let [weighted_x, weighted_y, weighted_z, free] =
+                self.modal_compliance.products::<T, 4>(g, [row_x, row_y, row_z, modal[g]], [x, y, z, &net]);
+            let weighted = [weighted_x, weighted_y, weighted_z];
             // Θ_rf Θ_ff⁻¹ Θ_rfᵀ and Θ_rf Θ_ff⁻¹ f
             for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
                 shared[k] = accumulate::<T, G>(g, rows[i], weighted[j], shared[k]);
@@ -159,7 +166,11 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
                     modal[g] = four::<T>(&moments[g][axis]).subtract_from(along[axis], modal[g]);
                 }
             }
-            modal[g] = self.modal_compliance.times::<T>(g, modal[g]);
+        }
+        let rest = stored::<T, G>(&modal);
+        for g in 0..G {
+            let [accelerations] = self.modal_compliance.products::<T, 1>(g, [modal[g]], [&rest]);
+            modal[g] = accelerations;
         }
         write(translation, angular, |g| modal[g].store(), entries);
     }

@@ -2,7 +2,7 @@
 
 use super::equations::{State, sums};
 use super::rigid::{add, cross, dot, times};
-use super::scalar::{Register, groups};
+use super::scalar::{Register, groups, stored};
 use super::{LaneBody, Lanes, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
@@ -17,8 +17,10 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     ) -> T {
         let rates = groups::<T, M, G>(q_dot);
         let mut modal = Register::<T>::zero();
+        let vector = stored::<T, G>(&rates);
         for g in 0..G {
-            modal = self.modal_mass.times::<T>(g, rates[g]).multiply_add(rates[g], modal);
+            let [momentum] = self.modal_mass.products::<T, 1>(g, [rates[g]], [&vector]);
+            modal = momentum.multiply_add(rates[g], modal);
         }
         let [modal] = sums::<T, 1>([modal]);
         let (velocity, omega) = (*velocity, *omega);

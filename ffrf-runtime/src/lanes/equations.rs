@@ -1,8 +1,8 @@
 //! Deformed invariants and quadratic velocity vector.
 
 use super::rigid::{add, cross, times, traced};
-use super::scalar::{Register, four, groups};
-use super::{Diagonal, Four, LaneBody, Lanes, MomentTable, Moments, Scalar};
+use super::scalar::{Register, four, groups, stored};
+use super::{Four, LaneBody, Lanes, MomentTable, Moments, Scalar};
 
 /// Everything that follows from a state before forces are known.
 #[derive(Clone, Copy)]
@@ -43,33 +43,6 @@ impl<T: Scalar, const G: usize> State<T, G> {
     #[inline(always)]
     pub(super) fn coupling(&self, group: usize) -> [Register<T>; 3] {
         [0, 1, 2].map(|axis| Register::<T>::load(&self.modal.odd[axis][group]))
-    }
-}
-
-impl<C: Copy, const G: usize> Diagonal<'_, C, G> {
-    /// The entries of a group times `lanes`.
-    #[inline(always)]
-    pub(super) fn times<T: Scalar<Constant = C>>(&self, group: usize, lanes: Register<T>) -> Register<T> {
-        match self {
-            Self::Zero => Register::<T>::zero(),
-            Self::Identity => lanes,
-            Self::Entries(entries) => four::<T>(&entries[group]) * lanes,
-        }
-    }
-
-    /// `term` less the entries of a group times `lanes`.
-    #[inline(always)]
-    pub(super) fn subtract_product<T: Scalar<Constant = C>>(
-        &self,
-        group: usize,
-        lanes: Register<T>,
-        term: Register<T>,
-    ) -> Register<T> {
-        match self {
-            Self::Zero => term,
-            Self::Identity => term - lanes,
-            Self::Entries(entries) => four::<T>(&entries[group]).subtract_from(lanes, term),
-        }
     }
 }
 
@@ -137,6 +110,7 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
         }
         self.moments.multiply(q, q_dot, omega.map(|x| T::two() * x), &mut state.modal);
         let (q, q_dot) = (groups::<T, M, G>(q), groups::<T, M, G>(q_dot));
+        let coordinates = stored::<T, G>(&q);
         let weights = spin_weights(omega).map(Register::<T>::splat);
         let mut change = [Register::<T>::zero(); 6];
         let mut rate = [Register::<T>::zero(); 6];
@@ -149,7 +123,8 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
                 Some(even) => even[g].map(|numbers| four::<T>(&numbers)),
                 None => [Register::<T>::zero(); 6],
             };
-            let trace = base[0] + self.trace.times::<T>(g, q);
+            let [traced] = self.trace.products::<T, 1>(g, [q], [&coordinates]);
+            let trace = base[0] + traced;
             let [even_yy, even_zz, even_xy, even_xz, even_yz] = &state.modal.even;
             let [_, base_yy, base_zz, base_xy, base_xz, base_yz] = base;
             let [yy, zz, xy, xz, yz] = [

@@ -2,7 +2,7 @@
 
 use super::equations::State;
 use super::scalar::{Register, four, ungroup};
-use super::{Diagonal, Four, LaneBody, Lanes, Scalar};
+use super::{Four, LaneBody, Lanes, ModalMatrix, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Writes M(q), columns of N = 6 + M entries. Source: (203), body-resolved, signs corrected.
@@ -40,12 +40,23 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             ungroup(|g| state.modal.odd[axis][g], &mut about[6..]);
         }
         let entries = match self.modal_mass {
-            Diagonal::Entries(entries) => Some(entries.as_slice()),
-            Diagonal::Zero | Diagonal::Identity => None,
+            ModalMatrix::Diagonal(entries) => Some(entries.as_slice()),
+            _ => None,
         };
         let moments = self.modal_first_moment.map(|groups| groups.as_slice());
         let [first, second, third] = &state.modal.odd;
         write_modal_columns::<T, N>([first, second, third], moments, entries, right);
+        if let ModalMatrix::Dense(groups) = self.modal_mass {
+            for (nu, column) in right.iter_mut().enumerate() {
+                let Some((_, modal)) = column.split_first_chunk_mut::<6>() else { return };
+                for (group, places) in groups.iter().zip(modal.chunks_mut(4)) {
+                    let Some(entries) = group.get(nu) else { return };
+                    for (place, entry) in places.iter_mut().zip(entries) {
+                        *place = T::constant(*entry);
+                    }
+                }
+            }
+        }
     }
 }
 

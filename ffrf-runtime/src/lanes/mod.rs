@@ -2,7 +2,7 @@
 //!
 //! Straight-line code stops paying when it outgrows the instruction cache. What remains the same for every body
 //! is then written once, here, and a generated body supplies its numbers: a [`LaneBody`] in a `static`. Because
-//! the tables are constants, what a layout leaves out (`None`, [`Diagonal::Identity`]) is left out of the machine
+//! the tables are constants, what a layout leaves out (`None`, [`ModalMatrix::Identity`]) is left out of the machine
 //! code as well.
 //!
 //! A *lane* is one mode. Modes stand side by side in registers, in groups of four (`G` groups, padded with zero);
@@ -20,6 +20,7 @@ mod equations;
 mod full_table;
 mod half_table;
 mod mass_matrix;
+mod modal_matrix;
 mod moment_structure;
 mod moments;
 mod parameters;
@@ -29,7 +30,7 @@ mod scalar;
 mod vector;
 
 pub use array::ArrayLanes;
-pub use body::{Diagonal, LaneBody};
+pub use body::{LaneBody, ModalMatrix};
 pub use equations::State;
 pub use full_table::FullTable;
 pub use half_table::HalfTable;

@@ -4,7 +4,7 @@ use super::Scalar;
 
 /// q_ν T_νμ in the components that need it, and the whirl, in groups of four lanes over μ.
 ///
-/// The trace is not here: with a diagonal Θ_ff it is known without a product.
+/// The trace is not here: it is the product of Θ_ff, which is a matrix of its own, with q.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
 pub struct Moments<T: Scalar, const G: usize> {
@@ -29,6 +29,14 @@ impl<T: Scalar, const G: usize> Moments<T, G> {
 pub trait MomentTable<T: Scalar, const M: usize, const G: usize> {
     /// Writes the product with modal coordinates and rates in the place of zeros; `two_omega` is 2 ω.
     fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>);
+}
+
+/// A table that stands elsewhere.
+impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> MomentTable<T, M, G> for &P {
+    #[inline(always)]
+    fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
+        P::multiply(self, q, q_dot, two_omega, moments);
+    }
 }
 
 /// No moments at all: the fidelities `rigid` and `constant`.

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 
 use super::moment_structure::{MomentComponents, MomentStructure};
 use super::rigid::inverse;
-use super::{Diagonal, LaneBody, MomentTable, Moments, Scalar};
+use super::{LaneBody, ModalMatrix, MomentTable, Moments, Scalar};
 
 /// A diagonal matrix over the modes that is known when compiling or when running.
 #[derive(Debug, Clone, Copy)]
@@ -68,11 +68,11 @@ enum ParameterGroups<C, const G: usize> {
 
 impl<C, const G: usize> ParameterGroups<C, G> {
     #[inline(always)]
-    fn borrow(&self) -> Diagonal<'_, C, G> {
+    fn borrow<const M: usize>(&self) -> ModalMatrix<'_, C, M, G> {
         match self {
-            Self::Zero => Diagonal::Zero,
-            Self::Identity => Diagonal::Identity,
-            Self::Entries(entries) => Diagonal::Entries(entries),
+            Self::Zero => ModalMatrix::Zero,
+            Self::Identity => ModalMatrix::Identity,
+            Self::Entries(entries) => ModalMatrix::Diagonal(entries),
         }
     }
 }
@@ -178,7 +178,7 @@ impl<C: Copy, const M: usize, const G: usize> ParameterTables<C, M, G> {
             translation_compliance: self.translation_compliance,
             position_mode_even: self.position_mode_even.as_ref(),
             position_mode_odd: self.position_mode_odd.as_ref(),
-            trace: if self.has_trace { self.modal_mass.borrow() } else { Diagonal::Zero },
+            trace: if self.has_trace { self.modal_mass.borrow() } else { ModalMatrix::Zero },
             modal_mass: self.modal_mass.borrow(),
             modal_compliance: self.modal_compliance.borrow(),
             stiffness: self.stiffness.borrow(),

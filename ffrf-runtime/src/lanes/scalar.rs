@@ -121,6 +121,12 @@ pub(super) fn grouped<T: Scalar, const G: usize>(numbers: &[T]) -> [Register<T>;
     groups
 }
 
+/// The lanes of every group as numbers.
+#[inline(always)]
+pub(super) fn stored<T: Scalar, const G: usize>(groups: &[Register<T>; G]) -> [[T; 4]; G] {
+    groups.map(Lanes::store)
+}
+
 /// The inverse of [`grouped`]: writes the numbers of `group(0)`, `group(1)`, ... one after another.
 #[inline(always)]
 pub(super) fn ungroup<T: Scalar>(group: impl Fn(usize) -> [T; 4], numbers: &mut [T]) {

@@ -3,7 +3,8 @@
 use ffrf::nalgebra::{SVector, Vector3};
 use ffrf::{FlexibleBody, FreeBody, flexible_body};
 
-include!(concat!(env!("OUT_DIR"), "/many_modes.rs"));
+include!(concat!(env!("OUT_DIR"), "/ManyModes.rs"));
+include!(concat!(env!("OUT_DIR"), "/DenseModalMass.rs"));
 
 flexible_body! {
     struct FewModes { model: "../../models/conrod.ffrf.json", modes: ..2, jacobians: true }
@@ -112,6 +113,7 @@ pub fn every_form_flies() -> bool {
         && flies::<8, 14>(EightModes, 1e-6, 1e-6)
         && flies::<8, 14>(Generic, 1e-6, 1e-6)
         && flies::<20, 26>(ManyModes, 1e-4, 1e-3)
+        && flies::<9, 15>(DenseModalMass, 1e-4, 1e-3)
         && flies::<9, 15>(fields(), 1e-4, 1e-3)
         && jacobians_agree()
         && invariants_are_checked(core::hint::black_box(2.0))
