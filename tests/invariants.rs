@@ -7,6 +7,9 @@ mod naive_body;
 #[allow(dead_code)]
 #[path = "../ffrf-codegen/tests/common/random_body.rs"]
 mod random_body;
+#[macro_use]
+#[path = "support/filled.rs"]
+mod filled;
 #[allow(dead_code)]
 #[path = "golden/witness.rs"]
 mod witness;
@@ -14,6 +17,7 @@ mod witness;
 use std::array::from_fn;
 
 use ffrf::{InvariantError, InvariantExpectation, flexible_body};
+use ffrf_model::ReducedBody;
 use random_body::{Modes, random_body};
 
 flexible_body! {
@@ -63,57 +67,23 @@ flexible_body! {
     struct Rigid { modes: 0, layout: {} }
 }
 
+fn dense(seed: u64) -> ReducedBody {
+    random_body(seed, 3, Modes::Random)
+}
+
 fn general(seed: u64) -> General {
-    let body = random_body(seed, 3, Modes::Random);
-    let given = witness::invariants::<3>(&body);
-    General {
-        mass: given.mass,
-        first_moment: body.inertia.first_moment,
-        modal_first_moment: from_fn(|mu| body.inertia.modal_first_moment[mu]),
-        second_moment: given.euler_tensor,
-        position_mode_moment: given.modal_euler_tensor,
-        mode_mode_moment: given.modal_pair_euler_tensor,
-        stiffness: given.stiffness,
-        damping: given.damping,
-    }
+    let body = dense(seed);
+    filled!(General, body, f64)
 }
 
 fn single(seed: u64) -> Single {
-    let double = general(seed);
-    let tensor = |tensor: [[f64; 3]; 3]| tensor.map(|row| row.map(|x| x as f32));
-    Single {
-        mass: double.mass as f32,
-        first_moment: double.first_moment.map(|x| x as f32),
-        modal_first_moment: tensor(double.modal_first_moment),
-        second_moment: tensor(double.second_moment),
-        position_mode_moment: double.position_mode_moment.map(tensor),
-        mode_mode_moment: double.mode_mode_moment.map(|row| row.map(tensor)),
-        stiffness: tensor(double.stiffness),
-        damping: tensor(double.damping),
-    }
+    let body = dense(seed);
+    filled!(Single, body, f32)
 }
 
 fn generic(seed: u64) -> Generic {
-    let General {
-        mass,
-        first_moment,
-        modal_first_moment,
-        second_moment,
-        position_mode_moment,
-        mode_mode_moment,
-        stiffness,
-        damping,
-    } = general(seed);
-    Generic {
-        mass,
-        first_moment,
-        modal_first_moment,
-        second_moment,
-        position_mode_moment,
-        mode_mode_moment,
-        stiffness,
-        damping,
-    }
+    let body = dense(seed);
+    filled!(Generic, body, f64)
 }
 
 fn free_free(seed: u64) -> FreeFree {

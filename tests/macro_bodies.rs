@@ -7,6 +7,9 @@ mod naive_body;
 #[allow(dead_code)]
 #[path = "../ffrf-codegen/tests/common/random_body.rs"]
 mod random_body;
+#[macro_use]
+#[path = "support/filled.rs"]
+mod filled;
 #[path = "golden/witness.rs"]
 mod witness;
 
@@ -84,17 +87,7 @@ fn single_precision() {
 #[test]
 fn invariants_at_run_time_in_the_general_layout() {
     let body = random_body::random_body(12, 2, random_body::Modes::Random);
-    let given = witness::invariants::<2>(&body);
-    let general = General {
-        mass: given.mass,
-        first_moment: body.inertia.first_moment,
-        modal_first_moment: [0, 1].map(|mu| body.inertia.modal_first_moment[mu]),
-        second_moment: given.euler_tensor,
-        position_mode_moment: given.modal_euler_tensor,
-        mode_mode_moment: given.modal_pair_euler_tensor,
-        stiffness: given.stiffness,
-        damping: given.damping,
-    };
+    let general = filled!(General, body, f64);
     let kernels = Kernels::formulate(&body, &options(None)).unwrap();
     witness::check::<2, 8, _>(&general, &body, &kernels, true);
 }

@@ -86,11 +86,11 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
             translation_compliance: tables.translation_compliance.map(&self.constant),
             position_mode_even: tables.position_mode_even.as_ref().map(|table| self.rows(table)),
             position_mode_odd: tables.position_mode_odd.as_ref().map(|table| self.rows(table)),
-            trace: self.matrix(tables.modes, &tables.trace),
-            modal_mass: self.matrix(tables.modes, &tables.modal_mass),
-            modal_compliance: self.matrix(tables.modes, &tables.modal_compliance),
-            stiffness: self.matrix(tables.modes, &tables.stiffness),
-            damping: self.matrix(tables.modes, &tables.damping),
+            trace: self.matrix(&tables.trace),
+            modal_mass: self.matrix(&tables.modal_mass),
+            modal_compliance: self.matrix(&tables.modal_compliance),
+            stiffness: self.matrix(&tables.stiffness),
+            damping: self.matrix(&tables.damping),
             moments,
         }
     }
@@ -106,7 +106,6 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
 
     fn matrix<V: Copy, const M: usize, const G: usize>(
         &self,
-        modes: usize,
         matrix: &ModalMatrix<V>,
     ) -> lanes::ModalMatrix<'static, C, M, G>
     where
@@ -123,7 +122,7 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
             ModalMatrix::Dense(table) => {
                 let mut groups = Box::new([[[self.zero; 4]; M]; G]);
                 // The columns of a group end with the last mode, not with the padding.
-                for (group, entries) in groups.iter_mut().zip(table.entries().chunks(4 * modes)) {
+                for (group, entries) in groups.iter_mut().zip(table.entries().chunks(4 * table.shape()[1])) {
                     self.fill(group.as_flattened_mut(), entries);
                 }
                 lanes::ModalMatrix::Dense(Box::leak(groups))

@@ -7,8 +7,8 @@ use ffrf::generated_support::lanes::{
 use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
-use ffrf_codegen::formulate::State;
-use ffrf_codegen::lanes::{LaneTables, modal_compliance};
+use ffrf_codegen::formulate::{State, inverse_modal_mass};
+use ffrf_codegen::lanes::LaneTables;
 use ffrf_codegen::layout::{Layout, Structure};
 
 use crate::lane_body::Bodies;
@@ -65,7 +65,7 @@ where
 
 /// The tables as the generator arranges them.
 fn tables(graph: &mut Graph, body: &BodyExpressions, scalar: ScalarType) -> LaneTables<Expression> {
-    let modal = modal_compliance(graph, body).unwrap();
+    let modal = inverse_modal_mass(graph, body).unwrap();
     let translation = translation_compliance(graph, body, &modal);
     LaneTables::arrange(graph, body, scalar, &modal, translation)
 }
@@ -103,7 +103,7 @@ fn translation_compliance(
     cofactors.map(|cofactor| graph.divide(cofactor, determinant))
 }
 
-/// Invariants read from fields at run time: the general layout with Θ_ff = I, full fidelity.
+/// Invariants read from fields at run time: the general layout with Θ_ff identity or diagonal, full fidelity.
 pub fn fields<const M: usize, const N: usize, const G: usize>(graph: &mut Graph, layout: &Layout) -> Loops {
     let raw = raw_inertia(graph, M, layout);
     let matrix = |matrix: &[[Expression; 3]; 3]| matrix.map(|row| row.map(Symbolic));

@@ -48,16 +48,15 @@ pub fn all() -> Vec<Case> {
     for modes in CHANGE_OVER {
         add(format!("statements_m{modes}"), body(modes, Modes::Normalised), statements());
     }
+    let dense = |modes| random_body(100 + modes as u64, modes, Modes::Random);
     for modes in DENSE {
-        let dense = random_body(100 + modes as u64, modes, Modes::Random);
-        add(format!("statements_dense_m{modes}"), dense.clone(), statements());
-        add(format!("lanes_dense_m{modes}"), dense, lanes());
+        add(format!("statements_dense_m{modes}"), dense(modes), statements());
     }
-    for modes in [9, 21] {
-        add(format!("lanes_dense_m{modes}"), random_body(100 + modes as u64, modes, Modes::Random), lanes());
+    for modes in DENSE.into_iter().chain([9, 21]) {
+        add(format!("lanes_dense_m{modes}"), dense(modes), lanes());
     }
     let single = GenerateOptions { scalar: ScalarType::F32, ..lanes() };
-    add("lanes_dense_single_m9".to_owned(), random_body(109, 9, Modes::Random), single);
+    add("lanes_dense_single_m9".to_owned(), dense(9), single);
     for modes in [3, 9, 21] {
         add(format!("lanes_free_free_m{modes}"), body(modes, Modes::FreeFree), lanes());
         add(format!("lanes_diagonal_m{modes}"), scaled(body(modes, Modes::Normalised)), lanes());

@@ -7,12 +7,13 @@ mod inverse;
 mod kernel;
 mod modal_mass;
 mod observables;
+mod pivot;
 mod solve;
 mod state;
 mod structured;
 
 pub use kernel::{Argument, Kernel, KernelKind, OutputShape};
-pub(crate) use modal_mass::inverse_modal_mass;
+pub use modal_mass::inverse_modal_mass;
 pub use observables::{
     angular_momentum, elastic_energy, gravity_force, internal_force, kinetic_energy, linear_momentum,
 };

@@ -1,5 +1,6 @@
 //! Eliminating the modal accelerations: what has to be done with Θ_ff.
 
+use super::pivot::{BadPivot, bad_pivot};
 use crate::CodegenError;
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph};
@@ -115,7 +116,7 @@ impl Prepared {
 /// Θ_ff⁻¹. Shape: M x M.
 ///
 /// Errors: [`CodegenError::RepeatedModes`].
-pub(crate) fn inverse_modal_mass(
+pub fn inverse_modal_mass(
     graph: &mut Graph,
     body: &BodyExpressions,
 ) -> Result<Vec<Vec<Expression>>, CodegenError> {
@@ -132,14 +133,10 @@ pub(crate) fn inverse_modal_mass(
     Ok(columns)
 }
 
-/// A constant pivot of Θ_ff must be positive, by more than round-off of the entry that it is left of.
 fn check_pivot(graph: &Graph, mode: usize, pivot: Expression, entry: Expression) -> Result<(), CodegenError> {
-    let expected = graph.constant_value(entry).unwrap_or(0.0) * 1e-14;
-    match graph.constant_value(pivot) {
-        Some(found) if found.is_nan() || found <= expected => {
-            Err(CodegenError::RepeatedModes { mode, found, expected })
-        }
-        _ => Ok(()),
+    match bad_pivot(graph, pivot, entry) {
+        Some(BadPivot { found, expected }) => Err(CodegenError::RepeatedModes { mode, found, expected }),
+        None => Ok(()),
     }
 }
 

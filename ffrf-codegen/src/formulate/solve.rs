@@ -2,6 +2,7 @@
 
 use super::inverse::{inverse_by_cofactors, inverse_by_factors};
 use super::modal_mass::{ModalMass, Prepared, minus_products};
+use super::pivot::{BadPivot, bad_pivot};
 use super::structured::label3;
 use super::{DeformedBody, State, internal_force};
 use crate::CodegenError;
@@ -103,13 +104,9 @@ fn reduced(
 
 /// A constant reduced mass must be positive, by more than round-off of the mass.
 fn check_pivots(graph: &Graph, pivots: Vector, mass: Expression) -> Result<(), CodegenError> {
-    let floor = graph.constant_value(mass).unwrap_or(0.0) * 1e-14;
     for (pivot, &expression) in pivots.iter().enumerate() {
-        match graph.constant_value(expression) {
-            Some(found) if found.is_nan() || found <= floor => {
-                return Err(CodegenError::DependentModes { pivot, found });
-            }
-            _ => {}
+        if let Some(BadPivot { found, .. }) = bad_pivot(graph, expression, mass) {
+            return Err(CodegenError::DependentModes { pivot, found });
         }
     }
     Ok(())

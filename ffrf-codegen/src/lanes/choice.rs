@@ -3,14 +3,15 @@
 use ffrf_model::ReducedBody;
 
 use super::LaneTables;
-use super::compliance::{modal_compliance, translation_compliance};
+use super::compliance::translation_compliance;
 use crate::body::BodyExpressions;
 use crate::expression::Graph;
+use crate::formulate::inverse_modal_mass;
 use crate::options::Strategy;
 use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
 
 /// From this number of modes on, lanes are chosen. Measured, see benches/kernels.md.
-pub(super) const LANES_FROM: usize = 7;
+const LANES_FROM: usize = 7;
 
 /// The tables in the code that [`generate`](crate::generate) makes of a body; `None` if that code is straight-line.
 ///
@@ -34,19 +35,35 @@ pub(crate) fn choose(
     body: &BodyExpressions,
     options: &GenerateOptions,
 ) -> Result<Option<LaneTables>, CodegenError> {
-    let obstacle = if body.mode_count() == 0 {
+    if in_lanes(body.mode_count(), None, options)? {
+        tables(graph, body, options).map(Some)
+    } else {
+        Ok(None)
+    }
+}
+
+/// Whether a body is to be computed in lanes; `obstacle` is what stands in the way besides its size and the options.
+///
+/// Errors: lanes were demanded where they cannot be had.
+pub(super) fn in_lanes(
+    modes: usize,
+    obstacle: Option<&'static str>,
+    options: &GenerateOptions,
+) -> Result<bool, CodegenError> {
+    let obstacle = if modes == 0 {
         Some("a body without modes has no lanes")
+    } else if obstacle.is_some() {
+        obstacle
     } else if options.fused_multiply_add != FusedMultiplyAdd::Auto {
         Some("they contract products and sums where the target does (fma: auto)")
     } else {
         None
     };
     match (options.strategy, obstacle) {
-        (Strategy::StraightLine, _) => Ok(None),
         (Strategy::Lanes, Some(reason)) => Err(CodegenError::NoLanes { reason }),
-        (Strategy::Auto, None) if body.mode_count() < LANES_FROM => Ok(None),
-        (Strategy::Auto, Some(_)) => Ok(None),
-        (_, None) => tables(graph, body, options).map(Some),
+        (Strategy::Lanes, None) => Ok(true),
+        (Strategy::StraightLine, _) | (Strategy::Auto, Some(_)) => Ok(false),
+        (Strategy::Auto, None) => Ok(modes >= LANES_FROM),
     }
 }
 
@@ -55,7 +72,7 @@ fn tables(
     body: &BodyExpressions,
     options: &GenerateOptions,
 ) -> Result<LaneTables, CodegenError> {
-    let modal = modal_compliance(graph, body)?;
+    let modal = inverse_modal_mass(graph, body)?;
     let translation = translation_compliance(graph, body, &modal)?.map(|entry| graph.constant(entry));
     Ok(LaneTables::arrange(graph, body, options.scalar, &modal, translation).numbers(graph))
 }

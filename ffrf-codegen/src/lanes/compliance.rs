@@ -1,20 +1,9 @@
-//! The inverses that the tables hold: of Θ_ff, and of the mass that the modes leave for translation.
+//! The inverse of the mass that the modes leave for translation.
 
 use crate::CodegenError;
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph};
-use crate::formulate::inverse_modal_mass;
 use crate::lanes::table::number;
-
-/// Θ_ff⁻¹. Shape: M x M.
-///
-/// Errors: [`CodegenError::RepeatedModes`].
-pub fn modal_compliance(
-    graph: &mut Graph,
-    body: &BodyExpressions,
-) -> Result<Vec<Vec<Expression>>, CodegenError> {
-    inverse_modal_mass(graph, body)
-}
 
 /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹ of a body of constants: xx, yy, zz, xy, xz, yz. Units: 1/kg.
 ///

@@ -16,7 +16,6 @@ mod text;
 
 pub(crate) use choice::choose;
 pub use choice::tables_of;
-pub use compliance::modal_compliance;
 pub use moment_tables::MomentTables;
 pub(crate) use parameters::{LaneParameters, choose_parameters};
 pub use table::{ModalMatrix, Table};

@@ -1,12 +1,11 @@
 //! Loops over lanes for bodies whose invariants come at run time: tables made from the fields in every call.
 
-use super::choice::LANES_FROM;
+use super::choice::in_lanes;
 use super::kernels_text::{Form, KernelText};
 use crate::fidelity::{EnergyTerm, Fidelity};
 use crate::formulate::KernelKind;
 use crate::layout::{Layout, Structure};
-use crate::options::Strategy;
-use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
+use crate::{CodegenError, GenerateOptions};
 
 /// A body in lanes whose invariants are fields.
 #[derive(Debug, Clone)]
@@ -24,21 +23,11 @@ pub(crate) fn choose_parameters(
     layout: &Layout,
     options: &GenerateOptions,
 ) -> Result<Option<LaneParameters>, CodegenError> {
-    let obstacle = if modes == 0 {
-        Some("a body without modes has no lanes")
-    } else if !matches!(layout.modal_mass, Structure::Identity | Structure::Diagonal) {
-        Some("they need a modal mass that the layout declares identity or diagonal")
-    } else if options.fused_multiply_add != FusedMultiplyAdd::Auto {
-        Some("they contract products and sums where the target does (fma: auto)")
-    } else {
-        None
-    };
-    match (options.strategy, obstacle) {
-        (Strategy::Lanes, Some(reason)) => Err(CodegenError::NoLanes { reason }),
-        (Strategy::StraightLine, _) | (Strategy::Auto, Some(_)) => Ok(None),
-        (Strategy::Auto, None) if modes < LANES_FROM => Ok(None),
-        _ => Ok(Some(LaneParameters { modes, layout: *layout, fidelity: options.fidelity.clone() })),
-    }
+    let is_diagonal = matches!(layout.modal_mass, Structure::Identity | Structure::Diagonal);
+    let obstacle =
+        (!is_diagonal).then_some("they need a modal mass that the layout declares identity or diagonal");
+    let lanes = LaneParameters { modes, layout: *layout, fidelity: options.fidelity.clone() };
+    Ok(in_lanes(modes, obstacle, options)?.then_some(lanes))
 }
 
 impl LaneParameters {

@@ -48,7 +48,7 @@ impl LaneTables<Expression> {
     /// The tables of a body, as expressions of `graph`.
     ///
     /// The scalar type decides how the moments are stored. `modal_compliance` is Θ_ff⁻¹, see
-    /// [`modal_compliance`](super::modal_compliance); `translation_compliance` is the inverse of the mass left for
+    /// [`inverse_modal_mass`](crate::formulate::inverse_modal_mass); `translation_compliance` is the inverse of the mass left for
     /// translation, m I - m B Θ_ff⁻¹ (m B)ᵀ, as xx, yy, zz, xy, xz, yz.
     pub fn arrange(
         graph: &mut Graph,

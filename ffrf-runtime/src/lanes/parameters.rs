@@ -10,13 +10,35 @@ use super::{LaneBody, ModalMatrix, MomentTable, Moments, Scalar};
 
 /// A diagonal matrix over the modes that is known when compiling or when running.
 #[derive(Debug, Clone, Copy)]
-pub enum ParameterDiagonal<C, const M: usize> {
+pub enum ParameterDiagonal<E> {
     /// Nothing.
     Zero,
     /// Ones.
     Identity,
-    /// These entries.
-    Entries([C; M]),
+    /// These entries: a list, or groups of four lanes.
+    Entries(E),
+}
+
+impl<E> ParameterDiagonal<E> {
+    #[inline(always)]
+    fn map<F>(self, change: impl FnOnce(E) -> F) -> ParameterDiagonal<F> {
+        match self {
+            Self::Zero => ParameterDiagonal::Zero,
+            Self::Identity => ParameterDiagonal::Identity,
+            Self::Entries(entries) => ParameterDiagonal::Entries(change(entries)),
+        }
+    }
+}
+
+impl<C, const G: usize> ParameterDiagonal<[[C; 4]; G]> {
+    #[inline(always)]
+    fn borrow<const M: usize>(&self) -> ModalMatrix<'_, C, M, G> {
+        match self {
+            Self::Zero => ModalMatrix::Zero,
+            Self::Identity => ModalMatrix::Identity,
+            Self::Entries(entries) => ModalMatrix::Diagonal(entries),
+        }
+    }
 }
 
 /// The invariants of a body with `M` modes. What the layout or the fidelity leaves out is `None`.
@@ -35,13 +57,13 @@ pub struct Parameters<C, const M: usize> {
     /// Components of T_μ of which the odd ones are used. Shape: M.
     pub position_mode_odd: Option<[MomentComponents<C>; M]>,
     /// Θ_ff.
-    pub modal_mass: ParameterDiagonal<C, M>,
+    pub modal_mass: ParameterDiagonal<[C; M]>,
     /// Whether the trace of T_μν, which is Θ_ff, changes the inertia.
     pub has_trace: bool,
     /// K_ff if it is diagonal.
-    pub stiffness: ParameterDiagonal<C, M>,
+    pub stiffness: ParameterDiagonal<[C; M]>,
     /// D_ff if it is diagonal.
-    pub damping: ParameterDiagonal<C, M>,
+    pub damping: ParameterDiagonal<[C; M]>,
 }
 
 /// [`Parameters`] in groups of four lanes.
@@ -53,28 +75,11 @@ pub struct ParameterTables<C, const M: usize, const G: usize> {
     translation_compliance: [C; 6],
     position_mode_even: Option<[[[C; 4]; 6]; G]>,
     position_mode_odd: Option<[[[C; 4]; 3]; G]>,
-    modal_mass: ParameterGroups<C, G>,
-    modal_compliance: ParameterGroups<C, G>,
+    modal_mass: ParameterDiagonal<[[C; 4]; G]>,
+    modal_compliance: ParameterDiagonal<[[C; 4]; G]>,
     has_trace: bool,
-    stiffness: ParameterGroups<C, G>,
-    damping: ParameterGroups<C, G>,
-}
-
-enum ParameterGroups<C, const G: usize> {
-    Zero,
-    Identity,
-    Entries([[C; 4]; G]),
-}
-
-impl<C, const G: usize> ParameterGroups<C, G> {
-    #[inline(always)]
-    fn borrow<const M: usize>(&self) -> ModalMatrix<'_, C, M, G> {
-        match self {
-            Self::Zero => ModalMatrix::Zero,
-            Self::Identity => ModalMatrix::Identity,
-            Self::Entries(entries) => ModalMatrix::Diagonal(entries),
-        }
-    }
+    stiffness: ParameterDiagonal<[[C; 4]; G]>,
+    damping: ParameterDiagonal<[[C; 4]; G]>,
 }
 
 /// Rows of `K` numbers, one row per mode, as `K` registers per group.
@@ -101,15 +106,9 @@ fn in_lanes<C: Scalar, const K: usize, const M: usize, const G: usize>(
 
 #[inline(always)]
 fn diagonal_in_lanes<C: Scalar, const M: usize, const G: usize>(
-    diagonal: ParameterDiagonal<C, M>,
-) -> ParameterGroups<C, G> {
-    match diagonal {
-        ParameterDiagonal::Zero => ParameterGroups::Zero,
-        ParameterDiagonal::Identity => ParameterGroups::Identity,
-        ParameterDiagonal::Entries(entries) => ParameterGroups::Entries(
-            in_lanes::<C, 1, M, G>(entries.map(|entry| [entry])).map(|[group]| group),
-        ),
-    }
+    diagonal: ParameterDiagonal<[C; M]>,
+) -> ParameterDiagonal<[[C; 4]; G]> {
+    diagonal.map(|entries| in_lanes::<C, 1, M, G>(entries.map(|entry| [entry])).map(|[group]| group))
 }
 
 impl<C: Scalar, const M: usize> Parameters<C, M> {
@@ -117,12 +116,7 @@ impl<C: Scalar, const M: usize> Parameters<C, M> {
     #[inline(always)]
     pub fn tables<const G: usize>(self) -> ParameterTables<C, M, G> {
         const { assert!(4 * G >= M) };
-        let modal_compliance = match self.modal_mass {
-            ParameterDiagonal::Entries(entries) => {
-                ParameterDiagonal::Entries(entries.map(|mass| C::one() / mass))
-            }
-            other => other,
-        };
+        let modal_compliance = self.modal_mass.map(|entries| entries.map(|mass| C::one() / mass));
         let [trace, yy, zz, xy, xz, yz] = self.second_moment.even;
         let half = C::half();
         ParameterTables {
@@ -148,7 +142,7 @@ impl<C: Scalar, const M: usize> Parameters<C, M> {
 
     /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹.
     #[inline(always)]
-    fn translation_compliance(&self, modal_compliance: &ParameterDiagonal<C, M>) -> [C; 6] {
+    fn translation_compliance(&self, modal_compliance: &ParameterDiagonal<[C; M]>) -> [C; 6] {
         let zero = C::zero();
         let mut left = [self.mass, self.mass, self.mass, zero, zero, zero];
         if let Some(rows) = &self.modal_first_moment {
