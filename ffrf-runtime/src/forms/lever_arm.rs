@@ -2,9 +2,8 @@
 
 /// The lever arm of a marker: where the deformed body has it, or where the undeformed body had it.
 ///
-/// Chosen for each load ([`MarkerLoad::with_lever_arm`](crate::MarkerLoad::with_lever_arm)), for each force
-/// ([`Marker::force_about`](crate::Marker::force_about)) and for each constraint
-/// ([`Marker::velocity_jacobian`](crate::Marker::velocity_jacobian)), independently of each other.
+/// A choice of the theory, for [`force_about`](super::force_about) and
+/// [`marker_velocity_jacobian`](super::marker_velocity_jacobian); the runtime's loads and joints use the deformed one.
 ///
 /// `Undeformed` is what the paper writes in (199)-(201) and (215). It saves x + Ψ q, 3M multiplications and 3M + 3
 /// additions per call (nothing where the position of the marker is needed anyway), and is wrong by Ψ q × f̄ in the moment
