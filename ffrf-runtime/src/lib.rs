@@ -34,15 +34,18 @@ pub mod generated_support;
 pub mod integrators;
 mod invariants;
 mod jacobians;
+pub mod joints;
 #[doc(hidden)]
 pub mod lanes;
 mod math;
+pub mod mechanism;
+pub mod relations;
 pub mod rotation;
 
 pub use body::{
-    DenseForms, Eliminated, EquationsOfMotion, FlexibleBody, FreeBody, FreeSystem, GeneralisedForce,
-    Increment, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion, NamedMarkers,
-    Observables, PlacedMarker, Prepared, RigidBody, State, Wrench,
+    DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
+    GeneralisedForce, Increment, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
+    NamedMarkers, Observables, PlacedMarker, Prepared, RigidBody, State, Wrench,
 };
 pub use forces::{Frame, Gravity, Load, MarkerLoad};
 pub use integrators::{

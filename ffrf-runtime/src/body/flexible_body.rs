@@ -36,9 +36,9 @@ pub trait FlexibleBody<T: RealField + Copy = f64> {
         force: &GeneralisedForce<Self::Modal, T>,
     ) -> Motion<Self::Modal, T> {
         let prepared = self.prepare(q, omega, q_dot);
-        let factors = self.modal_mass().factor().and_then(|modal| prepared.eliminate(modal));
+        let factors = self.modal_mass().factor().and_then(|modal| prepared.eliminate(modal).factor());
         match factors {
-            Some(factors) => factors.solve(&prepared, &prepared.net_force(force)),
+            Some(factors) => factors.solve(&prepared.net_force(force)),
             None => {
                 let mut nowhere = Motion::zeros(q);
                 nowhere.scale(T::zero() / T::zero());

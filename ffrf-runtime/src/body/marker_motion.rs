@@ -52,6 +52,11 @@ impl<T: RealField + Copy> Wrench<T> {
     pub fn zero() -> Self {
         Self { force: Vector3::zeros(), moment: Vector3::zeros() }
     }
+
+    /// The power in a motion of the marker, or the product of a gradient with velocities.
+    pub fn power(&self, velocity: &Vector3<T>, angular_velocity: &Vector3<T>) -> T {
+        self.force.dot(velocity) + self.moment.dot(angular_velocity)
+    }
 }
 
 /// A marker in a state: the lever arm and the rotation are found once for all that needs them.

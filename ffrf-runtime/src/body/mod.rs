@@ -4,6 +4,7 @@ mod dense_forms;
 mod flexible_body;
 mod free_body;
 mod free_system;
+mod implicit;
 mod increment;
 mod marker;
 mod marker_motion;
@@ -28,6 +29,8 @@ pub use modal_vector::ModalVector;
 pub use motion::{GeneralisedForce, Motion};
 pub use named_markers::NamedMarkers;
 pub use observables::Observables;
-pub use prepared::{Eliminated, Prepared};
+pub use prepared::{Eliminated, Factored, Prepared};
+
+pub(crate) use implicit::ImplicitBody;
 pub use rigid_body::RigidBody;
 pub use state::State;

@@ -102,9 +102,7 @@ impl<V: ModalVector<T>, T: RealField + Copy> Prepared<V, T> {
     }
 
     /// The mass matrix with the modes eliminated through the factors of Θ_ff, or of Θ_ff with implicit terms.
-    ///
-    /// `None` if what is left is not positive definite.
-    pub fn eliminate(&self, modal: ModalFactors<V, T>) -> Option<Eliminated<V, T>> {
+    pub fn eliminate(&self, modal: ModalFactors<V, T>) -> Eliminated<V, T> {
         let coupling = self.coupling();
         let followed = coupling.map(|row| modal.solve(row));
         let mut remaining = self.rigid_mass();
@@ -117,36 +115,39 @@ impl<V: ModalVector<T>, T: RealField + Copy> Prepared<V, T> {
                 }
             }
         }
-        Some(Eliminated { followed, rigid: Cholesky::new(remaining)?, modal })
+        Eliminated { followed, remaining, modal }
     }
 }
 
-/// The mass matrix with the modes eliminated: one factorisation of a body for many right-hand sides.
+/// The mass matrix with the modes eliminated: what forces and joints on the frame of a body meet.
 ///
-/// Z = M_rr - C Θ_ff⁻¹ Cᵀ is what is left for rigid motion, with C = [m B; Θ_rf(q)]. A Cholesky factorisation that
-/// begins with the modes, hence backward stable.
+/// Z = M_rr - C Θ_ff⁻¹ Cᵀ is what is left for rigid motion, with C = [m B; Θ_rf(q)].
 #[derive(Debug, Clone)]
 pub struct Eliminated<V: ModalVector<T>, T: RealField + Copy> {
     /// Columns of Θ_ff⁻¹ Cᵀ: how the modes follow rigid motion. Shape: 6 of M.
     pub followed: [V; 6],
-    /// Factors of Z. Shape: 6 x 6.
-    pub rigid: Cholesky<T, Const<6>>,
+    /// Z, symmetric. Shape: 6 x 6.
+    pub remaining: Matrix6<T>,
     /// Factors of Θ_ff, with implicit terms if there are any.
     pub modal: ModalFactors<V, T>,
 }
 
 impl<V: ModalVector<T>, T: RealField + Copy> Eliminated<V, T> {
-    /// The solution of M(q) w = `right`; with implicit terms if the modes were eliminated with them.
-    pub fn solve(&self, prepared: &Prepared<V, T>, right: &GeneralisedForce<V, T>) -> Motion<V, T> {
-        let alone = self.modal.solve(&right.modal);
-        let [x, y, z] = right.force.into();
-        let [r_x, r_y, r_z] = right.moment.into();
+    /// The factors of the whole mass matrix, or `None` if it is not positive definite.
+    pub fn factor(self) -> Option<Factored<V, T>> {
+        let rigid = Cholesky::new(self.remaining)?;
+        Some(Factored { eliminated: self, rigid })
+    }
+
+    /// The force on the frame when the modes move freely under their part of `force`. Shape: 6.
+    pub fn reduced_force(&self, force: &GeneralisedForce<V, T>) -> Vector6<T> {
+        let [x, y, z] = force.force.into();
+        let [r_x, r_y, r_z] = force.moment.into();
         let mut rigid = Vector6::new(x, y, z, r_x, r_y, r_z);
-        for (entry, row) in rigid.iter_mut().zip(prepared.coupling()) {
-            *entry -= row.dot(&alone);
+        for (entry, followed) in rigid.iter_mut().zip(&self.followed) {
+            *entry -= followed.dot(&force.modal);
         }
-        self.rigid.solve_mut(&mut rigid);
-        self.with_modes(&rigid, alone)
+        rigid
     }
 
     /// The whole motion from that of the frame and the modes' own part.
@@ -159,5 +160,23 @@ impl<V: ModalVector<T>, T: RealField + Copy> Eliminated<V, T> {
             angular: Vector3::new(rigid.w, rigid.a, rigid.b),
             modal: alone,
         }
+    }
+}
+
+/// One factorisation of a body for many right-hand sides: Cholesky that begins with the modes, backward stable.
+#[derive(Debug, Clone)]
+pub struct Factored<V: ModalVector<T>, T: RealField + Copy> {
+    /// The mass matrix without its modes.
+    pub eliminated: Eliminated<V, T>,
+    /// Factors of Z. Shape: 6 x 6.
+    pub rigid: Cholesky<T, Const<6>>,
+}
+
+impl<V: ModalVector<T>, T: RealField + Copy> Factored<V, T> {
+    /// The solution of M(q) w = `right`; with implicit terms if the modes were eliminated with them.
+    pub fn solve(&self, right: &GeneralisedForce<V, T>) -> Motion<V, T> {
+        let mut rigid = self.eliminated.reduced_force(right);
+        self.rigid.solve_mut(&mut rigid);
+        self.eliminated.with_modes(&rigid, self.eliminated.modal.solve(&right.modal))
     }
 }
