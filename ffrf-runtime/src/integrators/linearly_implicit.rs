@@ -69,5 +69,5 @@ pub fn step_linearly_implicit<S: StiffSystem<T>, T: RealField + Copy>(
     slope.add_scaled(h * half, &k2);
     let mut error = slope.clone();
     error.add_scaled(-T::one(), &whole);
-    finish(system, time + h, state, &slope, &error)
+    finish(system, time + h, state, &slope, &error, Some(gamma_h))
 }

@@ -43,5 +43,5 @@ pub fn step_rk4<S: System<T>, T: RealField + Copy>(
     slope.add_scaled(sixth, &k4);
     let mut error = slope.clone();
     error.add_scaled(-h, &k2);
-    finish(system, time + h, state, &slope, &error)
+    finish(system, time + h, state, &slope, &error, None)
 }

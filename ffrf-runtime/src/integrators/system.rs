@@ -50,9 +50,16 @@ pub trait System<T: RealField + Copy> {
 
     /// Meets the constraints again at the end of a step and says how far it was from them; free bodies have none.
     ///
+    /// `gamma_h`: of the last stage of a linearly implicit step, whose metric the correction then has. Units: s.
+    ///
     /// Errors: the constraints cannot be met from here.
-    fn settle(&self, time: T, state: Self::State) -> Result<(Self::State, Drift<T>), StepError> {
-        let _ = time;
+    fn settle(
+        &self,
+        time: T,
+        state: Self::State,
+        gamma_h: Option<T>,
+    ) -> Result<(Self::State, Drift<T>), StepError> {
+        let _ = (time, gamma_h);
         Ok((state, Drift::none()))
     }
 
@@ -87,6 +94,7 @@ pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     origin: &S::State,
     slope: &S::Increment,
     error: &S::Increment,
+    gamma_h: Option<T>,
 ) -> Result<(S::State, super::StepReport<T>), StepError> {
     let refused = || StepError::NonFiniteResult {
         largest_stable_step: system.largest_stable_step().and_then(nalgebra::try_convert),
@@ -95,7 +103,7 @@ pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     if !system.is_finite(&state) {
         return Err(refused());
     }
-    let (state, drift) = system.settle(time, state)?;
+    let (state, drift) = system.settle(time, state, gamma_h)?;
     if !system.is_finite(&state) {
         return Err(refused());
     }

@@ -1,5 +1,6 @@
 //! Mechanisms: bodies, joints and forces as one system.
 
+mod assembly;
 mod body_port;
 mod connection;
 mod constraints;
@@ -7,6 +8,7 @@ mod elimination;
 mod plan;
 mod port;
 
+pub use assembly::{Assembly, Constrained, Treatment};
 pub use body_port::{AttachedRow, BodyPort, ImplicitTerms};
 pub use connection::{Attachment, Connection};
 pub use constraints::{Constraints, Level, Regularisation, Storage};
