@@ -16,6 +16,7 @@ pub mod fidelity;
 pub mod formulate;
 pub mod lanes;
 pub mod layout;
+pub mod mechanism;
 pub mod polynomial;
 
 mod counts;

@@ -26,13 +26,21 @@ impl<V: Clone> AttachedRow<V> {
 }
 
 /// What a linearly implicit stage adds to an evaluation.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct ImplicitTerms<'a, I, T> {
     /// γ h. Units: s.
     pub gamma_h: T,
     /// What is subtracted from the rates.
     pub subtracted: Option<&'a I>,
 }
+
+impl<I, T: Copy> Clone for ImplicitTerms<'_, I, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<I, T: Copy> Copy for ImplicitTerms<'_, I, T> {}
 
 /// One body in one state, with its forces and the rows of its joints; `R` holds as many rows as joints have there.
 #[derive(Debug, Clone)]
