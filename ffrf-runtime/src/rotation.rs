@@ -63,6 +63,19 @@ pub fn cayley<T: RealField + Copy>(rotation: &Vector3<T>) -> UnitQuaternion<T> {
     UnitQuaternion::new_unchecked(quaternion / quaternion.norm())
 }
 
+/// `orientation` followed by the [`cayley`] map of `rotation`, in the components of the frame that it turns.
+///
+/// The norm is taken of the product: a long row of turns stays a unit quaternion to the last digit, where a row of
+/// unit quaternions would lose a tenth of a unit in the last place with each. Shape: 3. Units: rad.
+pub fn turned<T: RealField + Copy>(
+    orientation: &UnitQuaternion<T>,
+    rotation: &Vector3<T>,
+) -> UnitQuaternion<T> {
+    let half = rotation * nalgebra::convert::<f64, T>(0.5);
+    let product = orientation.quaternion() * Quaternion::from_parts(T::one(), half);
+    UnitQuaternion::new_unchecked(product / product.norm())
+}
+
 /// The rate of the rotation vector c whose [`cayley`] map turns a frame, when it turns with ω in its own components.
 ///
 /// ċ = ω + ½ c × ω + ¼ c (c · ω). Shape: 3. Units: rad/s. Frame: the turned one. Source: θ̇ = ½ θ ⊗ [0, ω] with

@@ -4,14 +4,14 @@ use nalgebra::{RealField, Vector3};
 
 use super::{ModalVector, Motion, State};
 use crate::integrators::{LocalError, Tolerances};
-use crate::rotation::{cayley, cayley_rate};
+use crate::rotation::{cayley_rate, turned};
 
 /// A change of a [`State`], or the rate of one, in the chart about that state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Increment<V, T = f64> {
     /// Of the position. Shape: 3. Units: m. Frame: inertial.
     pub position: Vector3<T>,
-    /// Rotation vector of the [`cayley`] map that follows the orientation. Shape: 3. Units: rad. Frame: body.
+    /// Rotation vector of the [`cayley`](crate::rotation::cayley) map that follows the orientation. Shape: 3. Units: rad. Frame: body.
     pub rotation: Vector3<T>,
     /// Of the modal coordinates. Shape: M.
     pub modal_coordinates: V,
@@ -78,7 +78,7 @@ impl<V: ModalVector<T>, T: RealField + Copy> State<V, T> {
     pub fn retract(&self, increment: &Increment<V, T>) -> Self {
         let mut state = self.clone();
         state.position += increment.position;
-        state.orientation *= cayley(&increment.rotation);
+        state.orientation = turned(&self.orientation, &increment.rotation);
         state.modal_coordinates.add_scaled(T::one(), &increment.modal_coordinates);
         state.velocity += increment.velocity;
         state.angular_velocity += increment.angular_velocity;

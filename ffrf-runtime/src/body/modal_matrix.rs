@@ -1,6 +1,6 @@
 //! Symmetric matrices over the modes: diagonal where they are, dense where they must be.
 
-use nalgebra::{RealField, try_convert};
+use nalgebra::RealField;
 
 use super::ModalVector;
 
@@ -59,7 +59,8 @@ impl<V: ModalVector<T>, T: RealField + Copy> ModalMatrix<V, T> {
                 let mut inverse = diagonal.clone();
                 for entry in inverse.as_mut_slice() {
                     // a NaN fails this comparison as well
-                    if !(*entry > T::zero()) || try_convert::<T, f64>(*entry).is_some_and(f64::is_infinite) {
+                    let positive = *entry > T::zero();
+                    if !positive || !entry.is_finite() {
                         return None;
                     }
                     *entry = T::one() / *entry;

@@ -3,7 +3,7 @@
 use nalgebra::{RealField, UnitQuaternion, Vector3};
 
 use super::{FlexibleBody, ModalVector, Motion};
-use crate::rotation::cayley;
+use crate::rotation::turned;
 
 /// Position, orientation, deformation and their rates; `V` is the body's [`FlexibleBody::Modal`].
 ///
@@ -68,10 +68,10 @@ impl<V: ModalVector<T>, T: RealField + Copy> State<V, T> {
 
     /// Moves position, orientation and deformation by a small `step` in the body frame; rates stay.
     ///
-    /// The rotation is composed by the Cayley map, see [`cayley`].
+    /// The rotation is composed by the Cayley map, see [`turned`].
     pub fn displace(&mut self, step: &Motion<V, T>) {
         self.position += self.to_inertial(&step.linear);
-        self.orientation *= cayley(&step.angular);
+        self.orientation = turned(&self.orientation, &step.angular);
         self.modal_coordinates.add_scaled(T::one(), &step.modal);
     }
 

@@ -240,19 +240,23 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         for (joint, (rows, ends)) in self.storage.rows.iter().zip(self.storage.ends.iter()).enumerate() {
             for row in rows.as_slice() {
                 let position = row.residual.abs();
-                // not a number counts as the largest
-                if !(position <= largest.0[0]) {
+                if is_worse(position, largest.0[0]) {
                     largest.0[0] = position;
                     largest.1 = joint;
                 }
                 let velocity = row.velocity(&ends[0], &ends[1]).abs();
-                if !(velocity <= largest.0[1]) {
+                if is_worse(velocity, largest.0[1]) {
                     largest.0[1] = velocity;
                 }
             }
         }
         largest
     }
+}
+
+/// Whether a residual is larger than the largest so far; the first that is not finite is larger than all.
+fn is_worse<T: RealField + Copy>(residual: T, largest: T) -> bool {
+    residual > largest || (largest.is_finite() && !residual.is_finite())
 }
 
 trait CopyWithin<T> {
@@ -281,5 +285,19 @@ fn set<T>(numbers: &mut [T], index: usize, value: T) {
 fn add<T: RealField + Copy>(numbers: &mut [T], index: usize, value: T) {
     if let Some(place) = numbers.get_mut(index) {
         *place += value;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_residual_that_is_not_a_number_stays_the_largest() {
+        let largest = |residuals: [f64; 4]| {
+            residuals.into_iter().fold(0.0, |worst, found| if is_worse(found, worst) { found } else { worst })
+        };
+        assert_eq!(largest([1.0, 3.0, 2.0, 0.0]), 3.0);
+        assert!(largest([1.0, f64::NAN, 2.0, f64::INFINITY]).is_nan());
     }
 }
