@@ -3,10 +3,6 @@
 
 #[path = "../ffrf-runtime/tests/common/naive_body.rs"]
 mod naive_body;
-// Each test uses its part.
-#[allow(dead_code)]
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
 #[macro_use]
 #[path = "support/filled.rs"]
 mod filled;
@@ -18,7 +14,7 @@ use std::array::from_fn;
 
 use ffrf::{InvariantError, InvariantExpectation, flexible_body};
 use ffrf_model::ReducedBody;
-use random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 flexible_body! {
     struct General { modes: 3, layout: {} }

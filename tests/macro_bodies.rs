@@ -3,10 +3,6 @@
 
 #[path = "../ffrf-runtime/tests/common/naive_body.rs"]
 mod naive_body;
-// Each test uses its part.
-#[allow(dead_code)]
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
 #[macro_use]
 #[path = "support/filled.rs"]
 mod filled;
@@ -18,6 +14,7 @@ use std::path::Path;
 use ffrf::flexible_body;
 use ffrf_codegen::{GenerateOptions, Kernels, ScalarType, generate};
 use ffrf_model::ReducedBody;
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// The model that the bodies below are made from.
 const MODEL: &str = "tests/models/random_m4.ffrf.json";
@@ -86,7 +83,7 @@ fn single_precision() {
 
 #[test]
 fn invariants_at_run_time_in_the_general_layout() {
-    let body = random_body::random_body(12, 2, random_body::Modes::Random);
+    let body = random_body(12, 2, Modes::Random);
     let general = filled!(General, body, f64);
     let kernels = Kernels::formulate(&body, &options(None)).unwrap();
     witness::check::<2, 8, _>(&general, &body, &kernels, true);
@@ -94,7 +91,7 @@ fn invariants_at_run_time_in_the_general_layout() {
 
 #[test]
 fn invariants_at_run_time_in_a_special_layout() {
-    let body = random_body::random_body(13, 3, random_body::Modes::FreeFree);
+    let body = random_body(13, 3, Modes::FreeFree);
     let given = witness::invariants::<3>(&body);
     let special = Special {
         mass: given.mass,

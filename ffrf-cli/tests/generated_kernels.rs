@@ -1,14 +1,11 @@
 //! The kernels that the command runs without compiling generated code: loops over tables against expressions.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-#[allow(dead_code)]
-#[path = "../../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
-
 use ffrf_cli::generated_kernels::GeneratedKernels;
 use ffrf_codegen::{GenerateOptions, Kernels, Strategy};
 use ffrf_model::ReducedBody;
-use random_body::{Modes, Random, random_body};
+use ffrf_test_kit::random::Random;
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// Rounding of sums over all pairs of 64 modes, relative to the largest entry; far above what was found.
 const ROUNDING: f64 = 1e-13;

@@ -6,7 +6,7 @@ use ffrf_codegen::Kernels;
 use ffrf_model::{Matrix3, ReducedBody};
 
 use crate::naive_body::{Invariants, NaiveBody};
-use crate::random_body::Random;
+use ffrf_test_kit::random::Random;
 
 /// Kernels of polynomials: a few hundred operations on numbers of one size.
 const POLYNOMIAL: f64 = 1e-13;

@@ -7,8 +7,8 @@ use ffrf::{EquationsOfMotion, FlexibleBody};
 
 use crate::cases;
 use crate::naive_body::{Invariants, NaiveBody};
-use crate::random_body::Random;
 use crate::timing::Column;
+use ffrf_test_kit::random::Random;
 
 /// Name of the column with everything in one pass, into a place that is used again.
 pub const EQUATIONS: &str = "equations_of_motion";

@@ -1,10 +1,6 @@
 //! Generated bodies for benchmarks and for the tests of the strategies.
 #![forbid(unsafe_code)]
 
-#[path = "../../../ffrf-codegen/tests/common/random_body.rs"]
-#[allow(dead_code)]
-pub mod random_body;
-
 pub mod cases;
 pub mod columns;
 pub mod storage;

@@ -1,6 +1,6 @@
 //! Lanes compute what the interpreter and the naive form compute: every layout, with and without padding.
 
-use kernels::{cases, naive_body, random_body};
+use kernels::{cases, naive_body};
 
 #[path = "../../../tests/golden/witness.rs"]
 #[allow(dead_code)]
