@@ -14,8 +14,6 @@ mod general_m2;
 #[rustfmt::skip]
 #[path = "golden/generic_m2.rs"]
 mod generic_m2;
-#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
 #[rustfmt::skip]
 #[path = "golden/normalised_m3.rs"]
 mod normalised_m3;
@@ -25,14 +23,13 @@ mod rigid;
 #[rustfmt::skip]
 #[path = "golden/single_m3.rs"]
 mod single_m3;
-#[path = "golden/witness.rs"]
-mod witness;
 
 use std::path::Path;
 
 use bodies::all;
 use ffrf_codegen::{Kernels, generate};
 use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::witness;
 
 /// Set to rewrite the committed files.
 const UPDATE: &str = "FFRF_UPDATE_GOLDEN";

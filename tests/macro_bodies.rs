@@ -1,20 +1,13 @@
 //! The macro at work: models, fewer modes, single precision, invariants at run time; three doors, one code.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
-#[macro_use]
-#[path = "support/filled.rs"]
-mod filled;
-#[path = "golden/witness.rs"]
-mod witness;
-
 use std::path::Path;
 
 use ffrf::flexible_body;
 use ffrf_codegen::{GenerateOptions, Kernels, ScalarType, generate};
 use ffrf_model::ReducedBody;
 use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::{filled, witness};
 
 /// The model that the bodies below are made from.
 const MODEL: &str = "tests/models/random_m4.ffrf.json";

@@ -1,15 +1,13 @@
 //! A flexible body in free flight: momentum and energy are kept, at the order of the method.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-mod common;
-
 use approx::assert_relative_eq;
-use common::bodies::cloud;
-use common::convergence::measured_order;
-use common::naive_body::NaiveBody;
-use common::tolerances::{CONSERVED_BY_RK4, ROUND_OFF, SLOPE};
 use ffrf_runtime::nalgebra::{UnitQuaternion, Vector2, Vector3};
 use ffrf_runtime::{FreeBody, Gravity, State};
+use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::{CONSERVED_BY_RK4, ROUND_OFF, SLOPE};
 
 type Body = FreeBody<NaiveBody<2, 8>, 2, 8>;
 

@@ -1,11 +1,9 @@
 //! Steps that are refused: the reason is told, nothing is changed, nothing panics.
 
-mod common;
-
-use common::bodies::{cloud, rigid};
-use common::naive_body::{Invariants, NaiveBody};
 use ffrf_runtime::nalgebra::{SVector, Vector3};
 use ffrf_runtime::{FreeBody, State, StepError};
+use ffrf_test_kit::bodies::{cloud, rigid};
+use ffrf_test_kit::naive_body::{Invariants, NaiveBody};
 use proptest::prelude::*;
 
 #[test]
@@ -86,7 +84,7 @@ proptest! {
         match result {
             Ok(_) => {
                 prop_assert!(body.state.is_finite());
-                prop_assert!((body.state.orientation.norm() - 1.0).abs() < common::tolerances::ROUND_OFF);
+                prop_assert!((body.state.orientation.norm() - 1.0).abs() < ffrf_test_kit::tolerances::ROUND_OFF);
             }
             Err(_) => prop_assert_eq!(format!("{body:?}"), before),
         }

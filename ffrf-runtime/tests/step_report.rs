@@ -1,14 +1,12 @@
 //! What a step reports: error estimates that overstate the true error and shrink with their own order.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-mod common;
-
-use common::bodies::cloud;
-use common::convergence::measured_order;
-use common::naive_body::NaiveBody;
-use common::tolerances::SLOPE;
 use ffrf_runtime::nalgebra::{Vector2, Vector3};
 use ffrf_runtime::{FreeBody, LocalError, StepReport};
+use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::SLOPE;
 
 type Body = FreeBody<NaiveBody<2, 8>, 2, 8>;
 
@@ -69,5 +67,5 @@ fn the_quaternion_drifts_with_the_error_of_the_method_only() {
         assert!(order > least - SLOPE, "{order}");
     }
     let (body, _) = one_step(0.1, false);
-    assert!((body.state.orientation.norm() - 1.0).abs() < common::tolerances::ROUND_OFF);
+    assert!((body.state.orientation.norm() - 1.0).abs() < ffrf_test_kit::tolerances::ROUND_OFF);
 }

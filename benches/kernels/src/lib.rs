@@ -7,7 +7,4 @@ pub mod storage;
 pub mod table;
 pub mod timing;
 
-#[path = "../../../ffrf-runtime/tests/common/naive_body.rs"]
-pub mod naive_body;
-
 include!(concat!(env!("OUT_DIR"), "/bodies.rs"));

@@ -1,12 +1,12 @@
 //! Checks of one compiled body against the naive form of the equations and against the interpreter.
 
-use ffrf::FlexibleBody;
-use ffrf::nalgebra::{SMatrix, SVector, Vector3};
 use ffrf_codegen::Kernels;
 use ffrf_model::{Matrix3, ReducedBody};
+use ffrf_runtime::FlexibleBody;
+use ffrf_runtime::nalgebra::{SMatrix, SVector, Vector3};
 
 use crate::naive_body::{Invariants, NaiveBody};
-use ffrf_test_kit::random::Random;
+use crate::random::Random;
 
 /// Kernels of polynomials: a few hundred operations on numbers of one size.
 const POLYNOMIAL: f64 = 1e-13;

@@ -1,9 +1,9 @@
 //! A body whose kernels are interpreted: any fidelity without compiling code.
 
-use ffrf::nalgebra::{SMatrix, SVector, Vector3};
-use ffrf::{EquationsOfMotion, FlexibleBody};
 use ffrf_codegen::formulate::KernelKind;
 use ffrf_codegen::{KernelInput, Kernels};
+use ffrf_runtime::nalgebra::{SMatrix, SVector, Vector3};
+use ffrf_runtime::{EquationsOfMotion, FlexibleBody};
 
 /// The kernels of a model, as expressions.
 #[derive(Debug, Clone)]

@@ -1,9 +1,10 @@
-//! Bodies whose invariants come at run time, in the general layout. The caller has the module `witness`.
+//! Bodies whose invariants come at run time, in the general layout.
 
 /// The fields of a body as a macro call names them, from a model.
+#[macro_export]
 macro_rules! filled {
     ($name:ident, $body:expr, $number:ty) => {{
-        let given = witness::invariants(&$body);
+        let given = $crate::witness::invariants(&$body);
         let vector = |v: [f64; 3]| v.map(|x| x as $number);
         $name {
             mass: given.mass as $number,

@@ -1,4 +1,4 @@
-//! Every tolerance of the tests of this crate, with its reason.
+//! The tolerances of tests, each with its reason.
 
 /// Identities between a few sums and products of numbers of order one: some hundred roundings.
 pub const ROUND_OFF: f64 = 1e-12;

@@ -3,7 +3,7 @@
 use ffrf_runtime::Marker;
 use ffrf_runtime::nalgebra::Vector3;
 
-use super::naive_body::{Invariants, NaiveBody};
+use crate::naive_body::{Invariants, NaiveBody};
 
 /// A cloud of eight point masses with `M` modes, without any symmetry, from a seeded sequence.
 ///

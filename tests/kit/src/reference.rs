@@ -1,15 +1,14 @@
 //! Reference trajectories: reading them, starting from them, comparing with them (see their FORMAT.md).
-#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use ffrf_runtime::nalgebra::{SVector, Vector3};
 use ffrf_runtime::{FreeBody, Gravity, rotation};
 use serde_json::Value;
 
-use super::naive_body::{Invariants, NaiveBody};
+use crate::naive_body::{Invariants, NaiveBody};
 
 /// The file of this name, or `None` with a loud note when the references are not here.
 pub fn read(name: &str) -> Option<Value> {
-    let path = format!("{}/../../shared/reference/{name}", env!("CARGO_MANIFEST_DIR"));
+    let path = format!("{}/../../../shared/reference/{name}", env!("CARGO_MANIFEST_DIR"));
     match std::fs::read_to_string(&path) {
         Ok(text) => Some(serde_json::from_str(&text).unwrap()),
         Err(_) => {
@@ -19,10 +18,12 @@ pub fn read(name: &str) -> Option<Value> {
     }
 }
 
+/// The number that the value is.
 pub fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("expected a number, found {value}"))
 }
 
+/// The three numbers that the value is.
 pub fn vector(value: &Value) -> Vector3<f64> {
     Vector3::from(numbers::<3>(value))
 }
