@@ -10,12 +10,16 @@ mod derived;
 mod eigenvalues;
 mod error;
 mod file;
+mod independence;
 mod inertia;
+mod mode_selection;
+mod numbers;
 mod shape;
+mod stable_step;
 mod tolerances;
-mod truncate;
 
 pub use body::{Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile};
 pub use check::{Check, CheckReport, Limit, is_valid_marker_name};
 pub use error::ModelError;
 pub use inertia::{Inertia, Matrix3, Vector3};
+pub use mode_selection::ModeSelection;
