@@ -32,7 +32,9 @@ pub fn run(arguments: &Generate) -> Result<()> {
         (None, Some(layout), Some(ModeSelection::First(modes))) => {
             ffrf_codegen::generate_with_layout(*modes, layout, &options).context("--layout")?
         }
-        (None, Some(_), Some(modes)) => bail!("--modes {modes}: with --layout, the number of modes is expected"),
+        (None, Some(_), Some(modes)) => {
+            bail!("--modes {modes}: with --layout, the number of modes is expected")
+        }
         (None, ..) => bail!("no invariants: give a model, or --layout and --modes"),
     };
     output::write(arguments.output.as_deref(), &code.text)

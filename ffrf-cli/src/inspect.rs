@@ -11,7 +11,8 @@ use crate::{describe, generate};
 pub fn run(arguments: &Inspect) -> Result<()> {
     let (mut body, mut checks) = ReducedBody::read_with_report(&arguments.model)?;
     if let Some(selection) = &arguments.modes {
-        body = body.with_selected_modes(selection).with_context(|| format!("{}", arguments.model.display()))?;
+        body =
+            body.with_selected_modes(selection).with_context(|| format!("{}", arguments.model.display()))?;
         checks = body.check()?;
     }
     println!("{}", describe::body(&body));

@@ -87,7 +87,9 @@ pub enum CodegenError {
         expected: f64,
     },
     /// A number of the body is too large for the scalar type.
-    #[error("{field}: {found:e} is not finite in {scalar}: use f64, or units in which the numbers are smaller")]
+    #[error(
+        "{field}: {found:e} is not finite in {scalar}: use f64, or units in which the numbers are smaller"
+    )]
     TooLarge {
         /// Full path of the field.
         field: String,

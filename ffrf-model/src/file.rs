@@ -1,12 +1,11 @@
 //! The file format `*.ffrf.json`: strict reading, bit-exact and diff-friendly writing.
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Deserialize;
 use serde_json::error::Category;
 
-use crate::{CheckReport, ModelError, ReducedBody, SCHEMA_VERSION};
+use crate::{CheckReport, ModelError, ReducedBody, SCHEMA_VERSION, write_file};
 
 impl ReducedBody {
     /// Reads a body from JSON text: a checked body or a refusal.
@@ -40,7 +39,7 @@ impl ReducedBody {
     ///
     /// The same body gives the same text, to the byte.
     ///
-    /// Errors: `NotFinite`, `Length`, `Version`. Panics: never.
+    /// Errors: `NotFinite`, `Length`, `Version`.
     pub fn to_json(&self) -> Result<String, ModelError> {
         self.check_shape()?;
         let pretty = serde_json::to_string_pretty(self).map_err(|error| syntax_error(&error))?;
@@ -67,22 +66,13 @@ impl ReducedBody {
         Self::from_json_with_report(&text).map_err(|source| at_fault(path, source))
     }
 
-    /// Writes the body to a file; see [`to_json`](Self::to_json).
+    /// Writes the body to a file by [`write_file`]; see [`to_json`](Self::to_json).
     ///
-    /// The text goes to a temporary file in the same folder that is then renamed, so that a reader sees the
-    /// old file or the new one, never a part; on failure nothing is left behind.
-    ///
-    /// Errors: `Io`, or what [`to_json`](Self::to_json) reports. Panics: never.
+    /// Errors: `Io`, or what [`to_json`](Self::to_json) reports.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), ModelError> {
         let path = path.as_ref();
         let text = self.to_json()?;
-        let temporary = temporary_beside(path);
-        let written = write_all(&temporary, text.as_bytes()).and_then(|()| std::fs::rename(&temporary, path));
-        written.map_err(|source| {
-            // Nothing more can be done if this fails as well; the first error is the one to report.
-            let _ = std::fs::remove_file(&temporary);
-            io_error(path, source)
-        })
+        write_file(path, text.as_bytes()).map_err(|source| io_error(path, source))
     }
 }
 
@@ -174,18 +164,4 @@ fn at_fault(path: &Path, source: ModelError) -> ModelError {
 
 fn io_error(path: &Path, source: std::io::Error) -> ModelError {
     ModelError::Io { path: path.to_path_buf(), source }
-}
-
-/// A name in the same folder, so that renaming does not cross file systems.
-fn temporary_beside(path: &Path) -> PathBuf {
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.tmp", std::process::id()));
-    path.with_file_name(name)
-}
-
-fn write_all(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut file = std::fs::File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
 }

@@ -64,7 +64,8 @@ impl fmt::Display for ModeSelection {
 }
 
 /// What a mode selection may look like.
-const FORMS: &str = "expected `8` or `..8` for the first 8 modes, `2..5` for a range, `[0, 2, 5]` for a list (from 0)";
+const FORMS: &str =
+    "expected `8` or `..8` for the first 8 modes, `2..5` for a range, `[0, 2, 5]` for a list (from 0)";
 
 /// The forms of the macro, `8` for `..8`, and a list without brackets if it has a comma.
 impl FromStr for ModeSelection {
@@ -85,9 +86,7 @@ impl FromStr for ModeSelection {
         match inner {
             None if !text.contains(',') => Ok(Self::First(number(text)?)),
             Some("") => Ok(Self::Listed(Vec::new())),
-            inner => {
-                inner.unwrap_or(text).split(',').map(number).collect::<Result<_, _>>().map(Self::Listed)
-            }
+            inner => inner.unwrap_or(text).split(',').map(number).collect::<Result<_, _>>().map(Self::Listed),
         }
     }
 }

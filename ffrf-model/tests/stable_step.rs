@@ -57,9 +57,8 @@ fn modes_of_any_scale_and_mixture_have_the_same_frequency() {
     mixed.inertia = sample::inertia(&points);
     for mu in 0..5 {
         for nu in 0..5 {
-            mixed.stiffness[mu][nu] = (0..25)
-                .map(|k| mix(mu, k / 5) * body.stiffness[k / 5][k % 5] * mix(nu, k % 5))
-                .sum();
+            mixed.stiffness[mu][nu] =
+                (0..25).map(|k| mix(mu, k / 5) * body.stiffness[k / 5][k % 5] * mix(nu, k % 5)).sum();
         }
     }
     let found = mixed.highest_frequency().unwrap();
