@@ -114,6 +114,6 @@ flexible_body! {
 #[test]
 fn jacobians_made_by_the_macro_agree_with_dual_numbers() {
     let body = ReducedBody::read(concat!(env!("CARGO_MANIFEST_DIR"), "/models/conrod.ffrf.json")).unwrap();
-    let options = GenerateOptions { modes: Some(2), ..GenerateOptions::default() };
+    let options = GenerateOptions { modes: Some(2.into()), ..GenerateOptions::default() };
     check(&ConnectingRod, &Kernels::formulate(&body, &options).unwrap());
 }

@@ -78,7 +78,7 @@ fn modes_that_contain_rigid_motion_are_refused() {
     let first = inertia.first_moment;
     inertia.position_mode_moment[0] = [0, 1, 2].map(|i| [first[i], 0.0, 0.0]);
     let error = Kernels::formulate(&body, &GenerateOptions::default()).unwrap_err().to_string();
-    assert!(error.starts_with("the modes are not independent of rigid-body motion: pivot 0"), "{error}");
+    assert!(error.contains("(counted from 1, mode 1 is a rigid motion)"), "{error}");
 }
 
 #[test]
@@ -95,9 +95,7 @@ fn modes_that_repeat_each_other_are_refused() {
     for strategy in [Strategy::Lanes, Strategy::StraightLine] {
         let options = GenerateOptions { strategy, ..GenerateOptions::default() };
         let error = generate(&body, &options).map(|code| code.report).unwrap_err().to_string();
-        let expected =
-            "the modes are not independent of each other: the mass of mode 3 that the modes before it";
-        assert!(error.starts_with(expected), "{strategy:?}: {error}");
+        assert!(error.contains("(counted from 1, mode 4 repeats mode 2)"), "{strategy:?}: {error}");
     }
 }
 

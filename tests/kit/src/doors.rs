@@ -5,6 +5,7 @@
 
 use ffrf_codegen::layout::{Layout, Structure};
 use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
+use ffrf_model::ModeSelection;
 
 /// The model that the doors open, in the folder `models`.
 pub const MODEL: &str = "conrod.ffrf.json";
@@ -38,13 +39,23 @@ pub fn with_model() -> Vec<Door> {
     let door = |fields, flags, options| Door { fields, flags, options };
     vec![
         door("", "", model()),
-        door("modes: ..2", "--modes 2", GenerateOptions { modes: Some(2), ..model() }),
+        door("modes: ..2", "--modes 2", GenerateOptions { modes: Some(2.into()), ..model() }),
+        door(
+            "modes: 1..3",
+            "--modes 1..3",
+            GenerateOptions { modes: Some(ModeSelection::Range(1, 3)), ..model() },
+        ),
+        door(
+            "modes: [3, 0]",
+            "--modes 3,0",
+            GenerateOptions { modes: Some(ModeSelection::Listed(vec![3, 0])), ..model() },
+        ),
         door("scalar: f32", "--scalar f32", GenerateOptions { scalar: ScalarType::F32, ..model() }),
         door("scalar: f64", "--scalar f64", model()),
         door(
             "scalar: generic, modes: ..2",
             "--scalar generic --modes 2",
-            GenerateOptions { scalar: ScalarType::Generic, modes: Some(2), ..model() },
+            GenerateOptions { scalar: ScalarType::Generic, modes: Some(2.into()), ..model() },
         ),
         door("fidelity: rigid", "--fidelity rigid", GenerateOptions { fidelity: Fidelity::Rigid, ..model() }),
         door(
@@ -67,7 +78,7 @@ pub fn with_model() -> Vec<Door> {
         door(
             "modes: ..2, jacobians: true",
             "--modes 2 --jacobians",
-            GenerateOptions { modes: Some(2), jacobians: true, ..model() },
+            GenerateOptions { modes: Some(2.into()), jacobians: true, ..model() },
         ),
         door(
             "strategy: straight_line",
@@ -77,7 +88,7 @@ pub fn with_model() -> Vec<Door> {
         door(
             "modes: ..2, strategy: lanes",
             "--modes 2 --strategy lanes",
-            GenerateOptions { modes: Some(2), strategy: Strategy::Lanes, ..model() },
+            GenerateOptions { modes: Some(2.into()), strategy: Strategy::Lanes, ..model() },
         ),
         door("fma: on", "--fma on", GenerateOptions { fused_multiply_add: FusedMultiplyAdd::On, ..model() }),
         door(
@@ -94,7 +105,7 @@ pub fn with_model() -> Vec<Door> {
             "modes: ..3, scalar: f32, fidelity: linear, jacobians: true, fma: off, layout_tolerance: 1e-9",
             "--modes 3 --scalar f32 --fidelity linear --jacobians --fma off --layout-tolerance 1e-9",
             GenerateOptions {
-                modes: Some(3),
+                modes: Some(3.into()),
                 scalar: ScalarType::F32,
                 fidelity: Fidelity::Linear,
                 jacobians: true,
