@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use super::calculix::RowMap;
-use super::compressed::stored_path;
-use super::node_table::{NodeLookup, NodeTable};
-use super::raw_matrix::RawMatrix;
-use super::source::Source;
-use super::{ansys, calculix, deck, matrix_file, model, numpy, text_table};
+use super::formats::calculix::RowMap;
+use super::formats::{ansys, calculix, deck, matrix_file, numpy, text_table};
+use super::matrix::raw_matrix::RawMatrix;
+use super::model;
+use super::nodes::{NodeLookup, NodeTable};
+use super::text::compressed::stored_path;
+use super::text::source::Source;
 use crate::{FeError, FeModel};
 
 /// What the user named on the command line.

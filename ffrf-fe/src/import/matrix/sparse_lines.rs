@@ -5,7 +5,7 @@ use super::entries::Entries;
 
 /// Compressed lines with places ascending.
 #[derive(Debug, Clone)]
-pub(crate) struct Lines {
+pub(crate) struct SparseLines {
     /// What a line is.
     pub(crate) kind: LineKind,
     /// Where each line starts; one more than there are lines.
@@ -19,21 +19,26 @@ pub(crate) struct Lines {
 /// What a compressed line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum LineKind {
-    /// Lines are rows, places are columns.
+    /// SparseLines are rows, places are columns.
     Row,
-    /// Lines are columns, places are rows.
+    /// SparseLines are columns, places are rows.
     Column,
 }
 
-impl Lines {
+impl SparseLines {
     /// Sorts entries and sums duplicates in file order. Entries that come sorted are only taken over.
     pub(crate) fn from_entries(entries: Entries, size: usize) -> Self {
         let Chunk { rows, columns, values, order } = entries.joined();
         if order.by_rows {
-            Lines { kind: LineKind::Row, starts: starts_of_sorted(&rows, size), places: columns, values }
+            SparseLines {
+                kind: LineKind::Row,
+                starts: starts_of_sorted(&rows, size),
+                places: columns,
+                values,
+            }
         } else if order.by_columns {
             let starts = starts_of_sorted(&columns, size);
-            Lines { kind: LineKind::Column, starts, places: rows, values }
+            SparseLines { kind: LineKind::Column, starts, places: rows, values }
         } else {
             // Two counting passes: by column, then by row.
             let mut sorted = sort(&columns, size, |place| (rows[place], values[place])).transposed();
@@ -78,7 +83,7 @@ impl Lines {
             LineKind::Row => LineKind::Column,
             LineKind::Column => LineKind::Row,
         };
-        Lines { kind, starts, places, values }
+        SparseLines { kind, starts, places, values }
     }
 
     fn sum_duplicates(&mut self) {
@@ -137,7 +142,7 @@ fn starts_of_sorted(lines: &[u32], size: usize) -> Vec<usize> {
 }
 
 /// Counting sort by line; `entry` is the place and the value of an entry.
-fn sort(lines: &[u32], size: usize, entry: impl Fn(usize) -> (u32, f64)) -> Lines {
+fn sort(lines: &[u32], size: usize, entry: impl Fn(usize) -> (u32, f64)) -> SparseLines {
     let mut starts = vec![0; size + 1];
     for &line in lines {
         starts[line as usize + 1] += 1;
@@ -151,7 +156,7 @@ fn sort(lines: &[u32], size: usize, entry: impl Fn(usize) -> (u32, f64)) -> Line
         next[line as usize] += 1;
         (places[to], values[to]) = entry(at);
     }
-    Lines { kind: LineKind::Column, starts, places, values }
+    SparseLines { kind: LineKind::Column, starts, places, values }
 }
 
 fn accumulate(counts: &mut [usize]) {
@@ -166,14 +171,14 @@ fn accumulate(counts: &mut [usize]) {
 pub(super) mod tests {
     use super::*;
 
-    pub(in crate::import) fn lines(triplets: &[(u32, u32, f64)], size: usize) -> Lines {
+    pub(in crate::import) fn lines(triplets: &[(u32, u32, f64)], size: usize) -> SparseLines {
         let rows = triplets.iter().map(|entry| entry.0).collect();
         let columns = triplets.iter().map(|entry| entry.1).collect();
         let values = triplets.iter().map(|entry| entry.2).collect();
-        Lines::from_entries(Entries::from_vectors(rows, columns, values), size)
+        SparseLines::from_entries(Entries::from_vectors(rows, columns, values), size)
     }
 
-    fn triplets(lines: &Lines) -> Vec<(u32, u32, f64)> {
+    fn triplets(lines: &SparseLines) -> Vec<(u32, u32, f64)> {
         let mut triplets = Vec::new();
         for line in 0..lines.size() {
             let (places, values) = lines.line(line);

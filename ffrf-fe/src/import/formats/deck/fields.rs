@@ -1,9 +1,9 @@
 //! Fields of a deck's lines: keyword lines with continuation, comma-separated data, element types.
 
-use super::super::scan::Cursor;
 use super::keyword::Keyword;
 use super::mesh::Member;
 use crate::ElementKind;
+use crate::import::text::cursor::Cursor;
 
 /// The comma-separated fields of one line, empty ones left out.
 pub(super) struct Fields {

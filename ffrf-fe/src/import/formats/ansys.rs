@@ -3,11 +3,11 @@
 //! The mapping vector names, for each block of three rows of the matrices, the node that the block belongs to. It
 //! is a Matrix Market array with one column (or a plain list).
 
-use super::entries::skip_blank_or_comment;
 use super::matrix_market;
-use super::node_table::{NodeLookup, NodeTable};
-use super::scan::Cursor;
-use super::source::Source;
+use crate::import::matrix::entries::skip_blank_or_comment;
+use crate::import::nodes::{NodeLookup, NodeTable};
+use crate::import::text::cursor::Cursor;
+use crate::import::text::source::Source;
 use crate::{FeError, Nodes};
 
 const LINE: &str = "`id x y z` with decimal points or decimal commas";
@@ -51,7 +51,7 @@ pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, FeError> {
     NodeTable { nodes, ..NodeTable::default() }.check_size(source)
 }
 
-/// Lines with their byte offsets.
+/// SparseLines with their byte offsets.
 fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, &[u8])> {
     let mut at = 0;
     bytes.split_inclusive(|&byte| byte == b'\n').map(move |line| {

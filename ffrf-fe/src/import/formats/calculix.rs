@@ -5,13 +5,13 @@
 
 use std::path::Path;
 
-use super::entries::skip_blank_or_comment;
 use super::listed_matrix;
-use super::node_table::NodeLookup;
-use super::raw_matrix::{Numbering, RawMatrix};
-use super::scan::Cursor;
-use super::source::Source;
 use crate::FeError;
+use crate::import::matrix::entries::skip_blank_or_comment;
+use crate::import::matrix::raw_matrix::{Numbering, RawMatrix};
+use crate::import::nodes::NodeLookup;
+use crate::import::text::cursor::Cursor;
+use crate::import::text::source::Source;
 
 /// Degree of freedom 3 n + i of each matrix row.
 #[derive(Debug)]

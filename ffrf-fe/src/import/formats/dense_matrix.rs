@@ -4,11 +4,11 @@ use std::path::Path;
 
 use faer::Mat;
 
-use super::raw_matrix::Dense;
-use super::source::Source;
-use super::symmetric::SYMMETRY_TOLERANCE;
 use super::{matrix_market, numpy, text_table};
 use crate::FeError;
+use crate::import::matrix::raw_matrix::Dense;
+use crate::import::matrix::symmetric::SYMMETRY_TOLERANCE;
+use crate::import::text::source::Source;
 
 /// Reads mode shapes Ψ from text, Matrix Market (array or coordinate) or NumPy.
 ///

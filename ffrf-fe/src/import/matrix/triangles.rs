@@ -2,7 +2,7 @@
 //!
 //! A symmetric matrix is its own transpose, so lines may be rows or columns here.
 
-use super::lines::Lines;
+use super::sparse_lines::SparseLines;
 
 /// How well the triangles of a matrix agree that stores every entry with its mirror image.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,7 +12,7 @@ pub(crate) struct Agreement {
 }
 
 /// Which side of the diagonal has entries: (places before the line's own number, places behind it).
-pub(crate) fn sides(lines: &Lines) -> (bool, bool) {
+pub(crate) fn sides(lines: &SparseLines) -> (bool, bool) {
     let (mut before, mut behind) = (false, false);
     for line in 0..lines.size() {
         let places = lines.line(line).0;
@@ -23,7 +23,7 @@ pub(crate) fn sides(lines: &Lines) -> (bool, bool) {
 }
 
 /// Compares the triangles; `None` if some entry has no mirror image.
-pub(crate) fn compare(lines: &Lines) -> Option<Agreement> {
+pub(crate) fn compare(lines: &SparseLines) -> Option<Agreement> {
     let mut deviation = 0.0_f64;
     let values = &lines.values;
     each_pair(lines, |first, second| {
@@ -36,7 +36,7 @@ pub(crate) fn compare(lines: &Lines) -> Option<Agreement> {
 }
 
 /// Replaces mirrored entries that differ by their mean.
-pub(crate) fn average(mut lines: Lines) -> Lines {
+pub(crate) fn average(mut lines: SparseLines) -> SparseLines {
     let mut values = std::mem::take(&mut lines.values);
     let paired = each_pair(&lines, |first, second| {
         let mean = 0.5 * (values[first] + values[second]);
@@ -52,7 +52,7 @@ pub(crate) fn average(mut lines: Lines) -> Lines {
 ///
 /// Going through the lines in order, the mirror images in any later line come up in order as well: `next` keeps how
 /// far each line has been used.
-fn each_pair(lines: &Lines, mut visit: impl FnMut(usize, usize)) -> Option<()> {
+fn each_pair(lines: &SparseLines, mut visit: impl FnMut(usize, usize)) -> Option<()> {
     let (starts, places) = (&lines.starts, &lines.places);
     let mut next = starts[..lines.size()].to_vec();
     for line in 0..lines.size() {
@@ -78,7 +78,7 @@ fn each_pair(lines: &Lines, mut visit: impl FnMut(usize, usize)) -> Option<()> {
 }
 
 /// Both triangles from one.
-pub(crate) fn expand(lines: &Lines) -> Lines {
+pub(crate) fn expand(lines: &SparseLines) -> SparseLines {
     let size = lines.size();
     let mut next = vec![0; size + 1];
     for line in 0..size {
@@ -93,7 +93,8 @@ pub(crate) fn expand(lines: &Lines) -> Lines {
     }
     let starts = next.clone();
     let total = next[size];
-    let mut expanded = Lines { kind: lines.kind, starts, places: vec![0; total], values: vec![0.0; total] };
+    let mut expanded =
+        SparseLines { kind: lines.kind, starts, places: vec![0; total], values: vec![0.0; total] };
     let (to_places, to_values) = (&mut expanded.places, &mut expanded.values);
     // Below the diagonal a line's own entries come before the mirrored ones of later lines; above it the mirrored
     // ones of earlier lines come before its own. Either way in the order of this loop.
@@ -115,7 +116,7 @@ pub(crate) fn expand(lines: &Lines) -> Lines {
 }
 
 /// Drops zeros beside the diagonal.
-pub(crate) fn without_zeros(mut lines: Lines) -> Lines {
+pub(crate) fn without_zeros(mut lines: SparseLines) -> SparseLines {
     if !lines.values.contains(&0.0) {
         return lines;
     }
@@ -140,7 +141,7 @@ pub(crate) fn without_zeros(mut lines: Lines) -> Lines {
 
 #[cfg(test)]
 mod tests {
-    use super::super::lines::tests::lines;
+    use super::super::sparse_lines::tests::lines;
     use super::*;
 
     const BOTH: [(u32, u32, f64); 7] =

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use super::super::scan::Cursor;
-use super::super::source::Source;
 use super::fields::{element_kind, keyword_at, line_fields, set_members};
 use super::keyword::Keyword;
 use super::mesh::{Member, Mesh, Place, Placement, RawElement, RawSet};
+use crate::import::text::cursor::Cursor;
+use crate::import::text::source::Source;
 use crate::{ElementKind, FeError};
 
 /// Files that include files that include files: more than this is a circle.
@@ -272,7 +272,7 @@ impl Reader {
 fn read_node(
     cursor: &mut Cursor<'_>,
     line: &'static str,
-) -> Result<(u64, [f64; 3]), super::super::scan::Defect> {
+) -> Result<(u64, [f64; 3]), crate::import::text::cursor::Defect> {
     let id = cursor.unsigned(line)?;
     let mut position = [0.0; 3];
     for coordinate in &mut position {

@@ -2,15 +2,15 @@
 //!
 //! Two kinds of line: `row column value`, and `node dof node dof value`; blanks or commas between.
 
-use super::entries::{Entries, ReadIndex, RowNumber, skip_blank_or_comment};
-use super::node_table::NodeLookup;
-use super::raw_matrix::{Numbering, RawMatrix, Storage};
-use super::scan::{Cursor, Defect, DefectKind};
-use super::short;
-use super::source::Source;
 use crate::FeError;
+use crate::import::matrix::entries::{Entries, ReadIndex, RowNumber, skip_blank_or_comment};
+use crate::import::matrix::raw_matrix::{Numbering, RawMatrix, Storage};
+use crate::import::nodes::NodeLookup;
+use crate::import::text::cursor::{Cursor, Defect, DefectKind};
+use crate::import::text::ordinary;
+use crate::import::text::source::Source;
 
-/// Lines before the last that show how long a value is printed in this file.
+/// SparseLines before the last that show how long a value is printed in this file.
 const SAMPLE_LINES: usize = 20;
 
 /// A node label and a direction 1 to 3.
@@ -23,8 +23,8 @@ impl ReadIndex for LabelAndDirection<'_> {
 
     #[inline(always)]
     fn read_short(&self, bytes: &[u8], at: usize) -> Option<(u32, usize)> {
-        let (label, at) = short::index(bytes, at)?;
-        let (direction, at) = short::index(bytes, at)?;
+        let (label, at) = ordinary::index(bytes, at)?;
+        let (direction, at) = ordinary::index(bytes, at)?;
         let row = self.nodes.row(label.into())?;
         // Rows are below 2^32 / 3, see `NodeTable::check_size`.
         (1..=3).contains(&direction).then(|| (3 * row as u32 + direction - 1, at))

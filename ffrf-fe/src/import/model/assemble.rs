@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use super::definiteness::refuse_indefinite;
-use super::lines::Lines;
-use super::mass::{ScalarMass, scalar_mass};
-use super::node_table::{NodeTable, compressed};
-use super::raw_matrix::{Numbering, RawMatrix};
+use crate::import::matrix::definiteness::refuse_indefinite;
+use crate::import::matrix::raw_matrix::{Numbering, RawMatrix};
+use crate::import::matrix::scalar_mass::{ScalarMass, scalar_mass};
+use crate::import::matrix::sparse_lines::SparseLines;
+use crate::import::nodes::{NodeTable, compressed};
 use crate::{FeError, SparseMatrix};
 
 /// Abaqus writes 1e36 on the diagonal of degrees of freedom that boundary conditions hold.
@@ -21,7 +21,7 @@ pub(crate) struct Assembled {
 
 /// A matrix over all degrees of freedom, and which of them were held.
 struct Settled {
-    lines: Lines,
+    lines: SparseLines,
     /// Held by a huge diagonal entry, or left out of a list.
     held: Vec<bool>,
     /// Held by a huge diagonal entry.
@@ -50,8 +50,8 @@ pub(crate) fn assemble(
     refuse_size(mass, nodes, true)?;
     let path = &mass.source.path().to_path_buf();
     let scalar = if mass.size == nodes {
-        let matrix =
-            Lines::from_entries(std::mem::take(&mut mass.entries), nodes).symmetric(mass.storage, path)?;
+        let matrix = SparseLines::from_entries(std::mem::take(&mut mass.entries), nodes)
+            .symmetric(mass.storage, path)?;
         ScalarMass { matrix, anisotropy: 0.0 }
     } else {
         let settled = settle(mass);
@@ -87,7 +87,7 @@ fn settle(raw: &mut RawMatrix) -> Settled {
         Numbering::Declared => vec![true; raw.size],
         Numbering::Listed | Numbering::Labelled => raw.entries.present(raw.size),
     };
-    let mut lines = Lines::from_entries(std::mem::take(&mut raw.entries), raw.size);
+    let mut lines = SparseLines::from_entries(std::mem::take(&mut raw.entries), raw.size);
     let huge: Vec<bool> =
         (0..raw.size).map(|dof| lines.diagonal(dof).is_some_and(|value| value >= HELD_DIAGONAL)).collect();
     lines.clear(&huge);

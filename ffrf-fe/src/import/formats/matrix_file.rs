@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use super::lines::Lines;
-use super::node_table::NodeLookup;
-use super::raw_matrix::RawMatrix;
-use super::source::Source;
 use super::{listed_matrix, matrix_market, numpy};
+use crate::import::matrix::raw_matrix::RawMatrix;
+use crate::import::matrix::sparse_lines::SparseLines;
+use crate::import::nodes::NodeLookup;
+use crate::import::text::source::Source;
 use crate::{FeError, Nodes, SparseMatrix};
 
-/// Reads one symmetric matrix as it stands, without the checks that [`read_model`](super::read_model) makes on
+/// Reads one symmetric matrix as it stands, without the checks that [`read_model`](crate::import::read_model) makes on
 /// definiteness, sizes and boundary conditions.
 ///
 /// Shape: as the file declares; for lists the largest index; for lists with node labels 3N x 3N. Both triangles.
@@ -18,7 +18,7 @@ use crate::{FeError, Nodes, SparseMatrix};
 /// A file that does not follow its format, or an asymmetric matrix.
 pub fn read_matrix(path: &Path, nodes: &Nodes) -> Result<SparseMatrix, FeError> {
     let raw = read(path, &NodeLookup::new(&nodes.ids))?;
-    Lines::from_entries(raw.entries, raw.size).symmetric(raw.storage, raw.source.path())
+    SparseLines::from_entries(raw.entries, raw.size).symmetric(raw.storage, raw.source.path())
 }
 
 /// Reads Matrix Market, NumPy and headerless lists.

@@ -1,10 +1,10 @@
 //! Plain tables of numbers: one row a line, blanks, tabs or commas between; comments start with `#`, `%` or `*`.
 
-use super::entries::skip_blank_or_comment;
-use super::node_table::NodeTable;
-use super::raw_matrix::Dense;
-use super::scan::Cursor;
-use super::source::Source;
+use crate::import::matrix::entries::skip_blank_or_comment;
+use crate::import::matrix::raw_matrix::Dense;
+use crate::import::nodes::NodeTable;
+use crate::import::text::cursor::Cursor;
+use crate::import::text::source::Source;
 use crate::{FeError, Nodes};
 
 /// Reads a rectangular table, column by column in the result.

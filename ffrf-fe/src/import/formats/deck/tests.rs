@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::read;
-use crate::import::node_table::NodeTable;
+use crate::import::nodes::NodeTable;
 use crate::{Element, ElementKind, FeError};
 
 fn deck(text: &str) -> Result<NodeTable, FeError> {

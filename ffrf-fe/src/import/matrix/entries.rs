@@ -1,8 +1,8 @@
 //! Matrix entries as a file lists them, read in parallel.
 
 use super::chunk::{Chunk, Order};
-use super::scan::{Cursor, Defect, DefectKind};
-use super::short;
+use crate::import::text::cursor::{Cursor, Defect, DefectKind};
+use crate::import::text::ordinary;
 
 /// Files below this size are read by one thread: starting a thread costs about as much as reading this.
 const PARALLEL_BYTES: usize = 1 << 20;
@@ -40,7 +40,7 @@ impl ReadIndex for RowNumber {
 
     #[inline(always)]
     fn read_short(&self, bytes: &[u8], at: usize) -> Option<(u32, usize)> {
-        let (number, next) = short::index(bytes, at)?;
+        let (number, next) = ordinary::index(bytes, at)?;
         let index = number.wrapping_sub(1);
         ((index as usize) < self.limit).then_some((index, next))
     }
@@ -216,7 +216,7 @@ pub(crate) fn offset_of_data_line(bytes: &[u8], start: usize, wanted: usize) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::lines::Lines;
+    use super::super::sparse_lines::SparseLines;
     use super::*;
 
     #[test]
@@ -263,7 +263,7 @@ mod tests {
     #[test]
     fn duplicates_in_different_pieces_are_summed_in_file_order() {
         // (0.1 + 0.2) + 0.3 and 0.1 + (0.2 + 0.3) differ in the last digit.
-        let sum = |count| Lines::from_entries(pieces(TEXT, count).unwrap(), 3).values;
+        let sum = |count| SparseLines::from_entries(pieces(TEXT, count).unwrap(), 3).values;
         assert!(sum(1).contains(&((0.1 + 0.2) + 0.3)), "{:?}", sum(1));
         for count in counts() {
             let (one, many) = (sum(1), sum(count));

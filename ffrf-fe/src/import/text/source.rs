@@ -8,7 +8,7 @@ use ffrf_model::SourceFile;
 use sha2::{Digest, Sha256};
 
 use super::compressed::{inflate, is_compressed, stored_path};
-use super::scan::{Defect, DefectKind};
+use super::cursor::{Defect, DefectKind};
 use crate::FeError;
 
 /// Longest excerpt of a file that an error message quotes.

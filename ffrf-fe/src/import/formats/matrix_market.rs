@@ -1,10 +1,10 @@
 //! Matrix Market files, coordinate and array, real and integer, general and symmetric.
 
-use super::entries::{Entries, RowNumber, offset_of_data_line, skip_blank_or_comment};
-use super::raw_matrix::{Dense, Numbering, RawMatrix, Storage};
-use super::scan::{Cursor, DefectKind};
-use super::source::Source;
 use crate::FeError;
+use crate::import::matrix::entries::{Entries, RowNumber, offset_of_data_line, skip_blank_or_comment};
+use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, Storage};
+use crate::import::text::cursor::{Cursor, DefectKind};
+use crate::import::text::source::Source;
 
 /// True if the file is to be read as Matrix Market. The banner starts with `%%MatrixMarket`; two percent signs
 /// are enough, so that a file with a damaged banner is not taken for a list with its size line as an entry.
@@ -152,7 +152,7 @@ fn read_coordinates(source: &Source, header: &Header) -> Result<Entries, FeError
 }
 
 /// A defect in the last line of a file that is too short is a cut, and is called so.
-fn cut_or_defect(source: &Source, header: &Header, defect: &super::scan::Defect) -> FeError {
+fn cut_or_defect(source: &Source, header: &Header, defect: &crate::import::text::cursor::Defect) -> FeError {
     let bytes = source.bytes();
     let last = source.line_of(defect.at) == source.last_line();
     if last && !bytes.ends_with(b"\n") && matches!(defect.kind, DefectKind::Expected(_)) {

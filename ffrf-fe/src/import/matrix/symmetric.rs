@@ -4,31 +4,31 @@ use std::path::Path;
 
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
-use super::lines::{LineKind, Lines};
-use super::mirror::{self, Agreement};
 use super::raw_matrix::Storage;
+use super::sparse_lines::{LineKind, SparseLines};
+use super::triangles::{self, Agreement};
 use crate::{FeError, SparseMatrix};
 
 /// Largest difference of mirrored entries, relative to the largest entry of the matrix. FE codes print 14 to 17
 /// digits, so mirrored entries agree to 1e-13; a wrong entry differs by far more.
 pub(crate) const SYMMETRY_TOLERANCE: f64 = 1e-9;
 
-impl Lines {
+impl SparseLines {
     /// The symmetric matrix with both triangles, or the worst asymmetry.
     pub(crate) fn symmetric(self, storage: Storage, path: &Path) -> Result<SparseMatrix, FeError> {
-        let (before, behind) = mirror::sides(&self);
+        let (before, behind) = triangles::sides(&self);
         let one_sided = !(before && behind);
         if one_sided && storage != Storage::Full {
-            return Ok(matrix(mirror::without_zeros(mirror::expand(&self))));
+            return Ok(matrix(triangles::without_zeros(triangles::expand(&self))));
         }
         if storage != Storage::OneTriangle
-            && let Some(Agreement { deviation }) = mirror::compare(&self)
+            && let Some(Agreement { deviation }) = triangles::compare(&self)
         {
             if deviation == 0.0 {
-                return Ok(matrix(mirror::without_zeros(self)));
+                return Ok(matrix(triangles::without_zeros(self)));
             }
             if deviation <= SYMMETRY_TOLERANCE * self.largest() {
-                return Ok(matrix(mirror::without_zeros(mirror::average(self))));
+                return Ok(matrix(triangles::without_zeros(triangles::average(self))));
             }
         }
         self.united(storage, path)
@@ -94,7 +94,7 @@ impl Lines {
     }
 
     /// True if some off-diagonal entry and its mirror image are both stored.
-    fn has_mirrored_pair(&self, mirrored: &Lines) -> bool {
+    fn has_mirrored_pair(&self, mirrored: &SparseLines) -> bool {
         (0..self.size()).any(|column| {
             let (mut here, mut there) = (self.line(column).0, mirrored.line(column).0);
             while let (Some((&a, rest_here)), Some((&b, rest_there))) =
@@ -120,7 +120,7 @@ pub(crate) fn sparse(size: usize, starts: Vec<usize>, rows: Vec<usize>, values: 
     SparseColMat::new(SymbolicSparseColMat::new_checked(size, size, starts, None, rows), values)
 }
 
-fn matrix(lines: Lines) -> SparseMatrix {
+fn matrix(lines: SparseLines) -> SparseMatrix {
     let places = lines.places.iter().map(|&place| place as usize).collect();
     sparse(lines.size(), lines.starts, places, lines.values)
 }
@@ -167,13 +167,13 @@ mod tests {
     use super::super::entries::Entries;
     use super::*;
 
-    fn columns(triplets: &[(u32, u32, f64)], size: usize) -> Lines {
+    fn columns(triplets: &[(u32, u32, f64)], size: usize) -> SparseLines {
         let entries = Entries::from_vectors(
             triplets.iter().map(|entry| entry.0).collect(),
             triplets.iter().map(|entry| entry.1).collect(),
             triplets.iter().map(|entry| entry.2).collect(),
         );
-        Lines::from_entries(entries, size)
+        SparseLines::from_entries(entries, size)
     }
 
     fn dense(matrix: &SparseMatrix) -> Vec<Vec<f64>> {

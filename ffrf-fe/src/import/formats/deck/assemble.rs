@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::super::node_table::{NodeLookup, NodeTable};
-use super::super::source::Source;
 use super::mesh::{Member, Mesh, Place, RawSet};
+use crate::import::nodes::{NodeLookup, NodeTable};
+use crate::import::text::source::Source;
 use crate::{Element, FeError, Nodes};
 
 /// Where the nodes of one mesh went.

@@ -1,8 +1,8 @@
 //! A matrix as a file states it, before symmetry, sizes and boundary conditions are settled.
 
 use super::entries::Entries;
-use super::source::Source;
 use crate::FeError;
+use crate::import::text::source::Source;
 
 /// Entries of one file with what is known of their meaning.
 #[derive(Debug)]

@@ -4,13 +4,13 @@ use std::io::{Cursor, Read};
 
 use npyz::{DType, NpyFile, Order, TypeChar};
 
-use super::entries::Entries;
-use super::node_table::NodeTable;
 use super::npz_archive::NpzArchive;
-use super::raw_matrix::{Dense, Numbering, RawMatrix, Storage};
-use super::source::Source;
 use super::text_table;
 use crate::FeError;
+use crate::import::matrix::entries::Entries;
+use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, Storage};
+use crate::import::nodes::NodeTable;
+use crate::import::text::source::Source;
 
 /// First bytes of a `.npy` file.
 pub(crate) const NPY_MAGIC: &[u8] = b"\x93NUMPY";

@@ -1,5 +1,5 @@
 //! The tokens of an ordinary line, read without looking back: each function returns what it read and the offset
-//! behind it, or `None` for whatever is not ordinary, which [`super::scan::Cursor`] then reads or refuses.
+//! behind it, or `None` for whatever is not ordinary, which [`super::cursor::Cursor`] then reads or refuses.
 
 use super::{decimal, digits};
 

@@ -10,9 +10,9 @@ mod reader;
 
 use std::path::Path;
 
-use super::node_table::NodeTable;
-use super::source::Source;
 use crate::FeError;
+use crate::import::nodes::NodeTable;
+use crate::import::text::source::Source;
 
 /// Reads a deck and the files it includes.
 pub(crate) fn read(path: &Path) -> Result<(NodeTable, Vec<Source>), FeError> {

@@ -1,8 +1,8 @@
 //! The entries of one piece of a file, and their order.
 
 use super::entries::{ReadIndex, skip_blank_or_comment};
-use super::scan::{Cursor, Defect};
-use super::short;
+use crate::import::text::cursor::{Cursor, Defect};
+use crate::import::text::ordinary;
 
 /// Entries in file order, indices from 0.
 #[derive(Debug, Clone)]
@@ -142,9 +142,9 @@ impl Chunk {
 /// Row, column and value of a line that is written as usual, and the offset of the next line.
 #[inline(always)]
 fn short_line<I: ReadIndex>(bytes: &[u8], at: usize, index: &I) -> Option<(u32, u32, f64, usize)> {
-    let (row, at) = index.read_short(bytes, short::token(bytes, at)?)?;
+    let (row, at) = index.read_short(bytes, ordinary::token(bytes, at)?)?;
     let (column, at) = index.read_short(bytes, at)?;
-    let (value, at) = short::last_float(bytes, at)?;
+    let (value, at) = ordinary::last_float(bytes, at)?;
     Some((row, column, value, at))
 }
 

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::node_table::NodeTable;
 use super::symmetric::sparse;
+use crate::import::nodes::NodeTable;
 use crate::{FeError, SparseMatrix};
 
 /// Largest deviation of M_FE from M_s ⊗ I3, relative to its largest entry. Displacement elements with consistent

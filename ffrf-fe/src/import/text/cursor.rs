@@ -1,6 +1,6 @@
 //! Numbers in bytes: a cursor that reads integers and floats without allocating.
 
-use super::short;
+use super::ordinary;
 
 /// What is wrong at a place of a file; turned into an error with the line number by [`super::source::Source`].
 #[derive(Debug, Clone, PartialEq)]
@@ -82,7 +82,7 @@ impl<'a> Cursor<'a> {
     /// Reads the next token as a non-negative integer.
     pub(crate) fn unsigned(&mut self, expected: &'static str) -> Result<u64, Defect> {
         self.skip_separators();
-        let (value, end) = short::digits(self.bytes, self.at, 0);
+        let (value, end) = ordinary::digits(self.bytes, self.at, 0);
         let count = end - self.at;
         if count == 0 || count > 19 || !is_token_end(self.bytes.get(end)) {
             return self.defect(DefectKind::Expected(expected));
@@ -97,7 +97,7 @@ impl<'a> Cursor<'a> {
     #[inline]
     pub(crate) fn float(&mut self, expected: &'static str) -> Result<f64, Defect> {
         self.skip_separators();
-        match short::float(self.bytes, self.at) {
+        match ordinary::float(self.bytes, self.at) {
             Some((value, end)) if is_token_end(self.bytes.get(end)) => {
                 self.at = end;
                 Ok(value)
