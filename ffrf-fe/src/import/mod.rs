@@ -22,15 +22,21 @@
 //! Three displacement degrees of freedom per node; no constraint equations (`*EQUATION`, `*TIE`, `*MPC`): their
 //! matrices have fewer rows than the mesh and are refused for their size.
 
+mod error;
 mod formats;
 mod matrix;
 mod model;
 mod model_files;
 mod nodes;
+mod note;
+mod options;
 mod text;
 
+pub use error::ImportError;
 pub use formats::{read_matrix, read_mode_shapes, read_square_matrix};
-pub use model_files::{ModelFiles, NodeSource, read_model};
+pub use model_files::{Import, ModelFiles, NodeSource, read_model, read_model_with};
+pub use note::{Note, Weight};
+pub use options::{INFLATED_LIMIT, ImportOptions, MassForm};
 pub use text::source_file;
 
 #[cfg(test)]

@@ -4,17 +4,18 @@
 //! is a Matrix Market array with one column (or a plain list).
 
 use super::matrix_market;
+use crate::Nodes;
+use crate::import::ImportError;
 use crate::import::matrix::entries::skip_blank_or_comment;
 use crate::import::nodes::{NodeLookup, NodeTable};
 use crate::import::text::cursor::Cursor;
 use crate::import::text::source::Source;
-use crate::{FeError, Nodes};
 
 const LINE: &str = "`id x y z` with decimal points or decimal commas";
 
 /// Reads the table `id x y z`. Header lines in any language are skipped; a comma is a decimal comma where the
 /// columns are divided by tabs, semicolons or blanks, and a separator otherwise.
-pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, FeError> {
+pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, ImportError> {
     let mut nodes = Nodes::default();
     let mut seen = std::collections::HashMap::new();
     for (at, line) in lines(source.bytes()) {
@@ -39,7 +40,7 @@ pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, FeError> {
             })?;
         }
         if seen.insert(id, ()).is_some() {
-            return Err(FeError::DuplicateNode {
+            return Err(ImportError::DuplicateNode {
                 path: source.path().to_path_buf(),
                 line: source.line_of(at),
                 id,
@@ -76,11 +77,11 @@ fn fields(line: &[u8]) -> Vec<String> {
 }
 
 /// Puts the nodes into the order of the matrices' blocks.
-pub(crate) fn order_by_mapping(table: NodeTable, mapping: &Source) -> Result<NodeTable, FeError> {
+pub(crate) fn order_by_mapping(table: NodeTable, mapping: &Source) -> Result<NodeTable, ImportError> {
     let lookup = NodeLookup::new(&table.nodes.ids);
     let labels = read_mapping(mapping)?;
     if labels.len() != table.nodes.len() {
-        return Err(FeError::SizeMismatch {
+        return Err(ImportError::SizeMismatch {
             path: mapping.path().to_path_buf(),
             expected: format!("one entry for each of the {} nodes of the node table", table.nodes.len()),
             found: labels.len(),
@@ -93,7 +94,7 @@ pub(crate) fn order_by_mapping(table: NodeTable, mapping: &Source) -> Result<Nod
         let path = || mapping.path().to_path_buf();
         let Some(row) = lookup.row(label) else {
             let line = mapping.line_of(at);
-            return Err(FeError::UnknownNode { path: path(), line, id: label, nodes: table.nodes.len() });
+            return Err(ImportError::UnknownNode { path: path(), line, id: label, nodes: table.nodes.len() });
         };
         if std::mem::replace(&mut used[row], true) {
             return Err(mapping.expected(at, format!("each node once (node {label} stands here again)")));
@@ -105,7 +106,7 @@ pub(crate) fn order_by_mapping(table: NodeTable, mapping: &Source) -> Result<Nod
 }
 
 /// Node labels with the offsets where they stand.
-fn read_mapping(source: &Source) -> Result<Vec<(usize, u64)>, FeError> {
+fn read_mapping(source: &Source) -> Result<Vec<(usize, u64)>, ImportError> {
     let bytes = source.bytes();
     let expected = "one node id a line";
     let mut labels = Vec::new();

@@ -5,8 +5,8 @@
 
 use std::path::Path;
 
-use super::listed_matrix;
-use crate::FeError;
+use super::matrix_file;
+use crate::import::ImportError;
 use crate::import::matrix::entries::skip_blank_or_comment;
 use crate::import::matrix::raw_matrix::{Numbering, RawMatrix};
 use crate::import::nodes::NodeLookup;
@@ -21,8 +21,12 @@ pub(crate) struct RowMap {
 }
 
 /// Reads a `.dof` file.
-pub(crate) fn read_row_map(path: &Path, nodes: &NodeLookup) -> Result<RowMap, FeError> {
-    let source = Source::read(path)?;
+pub(crate) fn read_row_map(
+    path: &Path,
+    nodes: &NodeLookup,
+    inflated_limit: u64,
+) -> Result<RowMap, ImportError> {
+    let source = Source::read(path, inflated_limit)?;
     let bytes = source.bytes();
     let expected = "`node.direction` with direction 1 to 3";
     let mut dofs = Vec::new();
@@ -42,7 +46,7 @@ pub(crate) fn read_row_map(path: &Path, nodes: &NodeLookup) -> Result<RowMap, Fe
             return Err(source.expected(start, expected));
         };
         let Some(row) = nodes.row(label) else {
-            return Err(FeError::UnknownNode {
+            return Err(ImportError::UnknownNode {
                 path: path.to_path_buf(),
                 line: source.line_of(start),
                 id: label,
@@ -60,14 +64,19 @@ pub(crate) fn read_row_map(path: &Path, nodes: &NodeLookup) -> Result<RowMap, Fe
 }
 
 /// Reads `.sti` or `.mas` and moves its rows to the degrees of freedom of the node table.
-pub(crate) fn read_matrix(path: &Path, nodes: &NodeLookup, map: &RowMap) -> Result<RawMatrix, FeError> {
-    let mut matrix = listed_matrix::read(Source::read_unhashed(path)?, nodes)?;
+pub(crate) fn read_matrix(
+    source: Source,
+    nodes: &NodeLookup,
+    map: &RowMap,
+) -> Result<RawMatrix, ImportError> {
+    let path = source.path().to_path_buf();
+    let mut matrix = matrix_file::read_square(source, nodes)?;
     if matrix.numbering != Numbering::Listed {
         return Ok(matrix);
     }
     if matrix.size != map.dofs.len() {
-        return Err(FeError::SizeMismatch {
-            path: path.to_path_buf(),
+        return Err(ImportError::SizeMismatch {
+            path,
             expected: format!(
                 "a matrix of {} rows, as {} lists",
                 map.dofs.len(),

@@ -4,11 +4,14 @@ use std::path::Path;
 
 use faer::Mat;
 
-use super::{matrix_market, numpy, text_table};
-use crate::FeError;
-use crate::import::matrix::raw_matrix::Dense;
+use super::matrix_file::read_dense;
+use crate::import::matrix::raw_matrix::{Dense, ShapeCheck};
 use crate::import::matrix::symmetric::SYMMETRY_TOLERANCE;
 use crate::import::text::source::Source;
+use crate::import::{INFLATED_LIMIT, ImportError};
+
+/// Values of mode shapes up to which they are read: 4 GB.
+const DENSE_VALUES: usize = 1 << 29;
 
 /// Reads mode shapes Ψ from text, Matrix Market (array or coordinate) or NumPy.
 ///
@@ -16,8 +19,8 @@ use crate::import::text::source::Source;
 /// Source: MATH.md, notation.
 ///
 /// # Errors
-/// A file that does not follow its format, or has another number of rows.
-pub fn read_mode_shapes(path: &Path, node_count: usize) -> Result<Mat<f64>, FeError> {
+/// A file that does not follow its format, has another number of rows, or more modes than rows.
+pub fn read_mode_shapes(path: &Path, node_count: usize) -> Result<Mat<f64>, ImportError> {
     let rows = 3 * node_count;
     let check = |found: usize, columns: usize| {
         if found != rows {
@@ -26,6 +29,15 @@ pub fn read_mode_shapes(path: &Path, node_count: usize) -> Result<Mat<f64>, FeEr
         }
         if columns == 0 {
             return Err(mismatch(path, "at least one mode".to_owned(), 0, "columns"));
+        }
+        if columns > rows {
+            let expected = format!("at most {rows} modes, as many as degrees of freedom");
+            return Err(mismatch(path, expected, columns, "columns"));
+        }
+        if rows.saturating_mul(columns) > DENSE_VALUES {
+            let expected =
+                format!("at most {} modes of {rows} rows ({DENSE_VALUES} values)", DENSE_VALUES / rows);
+            return Err(mismatch(path, expected, columns, "columns"));
         }
         Ok(())
     };
@@ -38,10 +50,10 @@ pub fn read_mode_shapes(path: &Path, node_count: usize) -> Result<Mat<f64>, FeEr
 ///
 /// # Errors
 /// A file that does not follow its format, another size, or an asymmetric matrix.
-pub fn read_square_matrix(path: &Path, size: usize) -> Result<Mat<f64>, FeError> {
+pub fn read_square_matrix(path: &Path, size: usize) -> Result<Mat<f64>, ImportError> {
     let check = |rows: usize, columns: usize| {
         if rows != columns {
-            return Err(FeError::NotSquare { path: path.to_path_buf(), rows, columns });
+            return Err(ImportError::NotSquare { path: path.to_path_buf(), rows, columns });
         }
         if rows != size {
             return Err(mismatch(path, format!("{size} rows and columns"), rows, "rows"));
@@ -55,7 +67,7 @@ pub fn read_square_matrix(path: &Path, size: usize) -> Result<Mat<f64>, FeError>
             let (value, mirrored) = (matrix[(row, column)], matrix[(column, row)]);
             let deviation = (value - mirrored).abs();
             if deviation > SYMMETRY_TOLERANCE * largest {
-                return Err(FeError::Asymmetric {
+                return Err(ImportError::Asymmetric {
                     path: path.to_path_buf(),
                     row: row + 1,
                     column: column + 1,
@@ -70,20 +82,12 @@ pub fn read_square_matrix(path: &Path, size: usize) -> Result<Mat<f64>, FeError>
     Ok(matrix)
 }
 
-fn read(path: &Path, check: &dyn Fn(usize, usize) -> Result<(), FeError>) -> Result<Mat<f64>, FeError> {
-    let source = Source::read(path)?;
-    let bytes = source.bytes();
-    let Dense { rows, columns, values } = if matrix_market::is_matrix_market(bytes) {
-        matrix_market::read_dense(&source, check)?
-    } else if bytes.starts_with(numpy::NPY_MAGIC) || bytes.starts_with(numpy::NPZ_MAGIC) {
-        numpy::read_dense(&source, &["Psi", "psi", "modes", "K_ff"])?
-    } else {
-        text_table::read_dense(&source)?
-    };
-    check(rows, columns)?;
+fn read(path: &Path, check: &ShapeCheck<'_>) -> Result<Mat<f64>, ImportError> {
+    let source = Source::read(path, INFLATED_LIMIT)?;
+    let Dense { rows, columns, values } = read_dense(&source, check)?;
     Ok(Mat::from_fn(rows, columns, |row, column| values[column * rows + row]))
 }
 
-fn mismatch(path: &Path, expected: String, found: usize, what: &'static str) -> FeError {
-    FeError::SizeMismatch { path: path.to_path_buf(), expected, found, what }
+fn mismatch(path: &Path, expected: String, found: usize, what: &'static str) -> ImportError {
+    ImportError::SizeMismatch { path: path.to_path_buf(), expected, found, what }
 }

@@ -2,7 +2,7 @@
 //!
 //! Two kinds of line: `row column value`, and `node dof node dof value`; blanks or commas between.
 
-use crate::FeError;
+use crate::import::ImportError;
 use crate::import::matrix::entries::{Entries, ReadIndex, RowNumber, skip_blank_or_comment};
 use crate::import::matrix::raw_matrix::{Numbering, RawMatrix, Storage};
 use crate::import::nodes::NodeLookup;
@@ -47,7 +47,7 @@ impl ReadIndex for LabelAndDirection<'_> {
 }
 
 /// Reads a list; labels are looked up in `nodes`.
-pub(crate) fn read(source: Source, nodes: &NodeLookup) -> Result<RawMatrix, FeError> {
+pub(crate) fn read(source: Source, nodes: &NodeLookup) -> Result<RawMatrix, ImportError> {
     let bytes = source.bytes();
     let (line, columns) = first_line(bytes);
     let read = match columns {
@@ -60,6 +60,7 @@ pub(crate) fn read(source: Source, nodes: &NodeLookup) -> Result<RawMatrix, FeEr
     };
     let entries = read.map_err(|defect| source.defect(&defect, nodes.len()))?;
     refuse_cut_number(&source)?;
+    refuse_size_line(&source, line, &entries)?;
     let (numbering, size) = match columns {
         3 => (Numbering::Listed, entries.extent()),
         _ => (Numbering::Labelled, 3 * nodes.len()),
@@ -80,10 +81,35 @@ fn tokens(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(|byte| matches!(byte, b' ' | b'\t' | b',' | b'\r' | b'\n')).filter(|token| !token.is_empty())
 }
 
+/// Refuses a first line `n n count` that is the size line of a Matrix Market file without its banner: three integers
+/// among values with a decimal point or exponent, or with the number of lines that follow as the value.
+fn refuse_size_line(source: &Source, at: usize, entries: &Entries) -> Result<(), ImportError> {
+    let first = entries.iter().next();
+    let Some((row, column, value)) = first.filter(|_| entries.len() > 1) else { return Ok(()) };
+    let bytes = source.bytes();
+    let integer = |line: &[u8]| {
+        let value = tokens(line).last().unwrap_or_default();
+        !value.is_empty() && value.iter().all(u8::is_ascii_digit)
+    };
+    let mut lines = bytes[at..].split(|&byte| byte == b'\n');
+    if !lines.next().is_some_and(integer) {
+        return Ok(());
+    }
+    let alone = !lines.filter(|line| tokens(line).next().is_some()).take(SAMPLE_LINES).any(integer);
+    let counts = value == (entries.len() - 1) as f64;
+    let largest = row == column && row + 1 == entries.extent();
+    if largest && (alone || counts) {
+        let expected = "`row column value` (this looks like the size line of a Matrix Market file whose first line, \
+                        `%%MatrixMarket matrix ...`, is missing)";
+        return Err(source.expected(at, expected));
+    }
+    Ok(())
+}
+
 /// A list has no count, so a cut within its last number would pass as another number. FE codes print all
 /// values of a file to the same length and end the last line: a last line without end whose value is shorter
 /// than all others is a cut.
-fn refuse_cut_number(source: &Source) -> Result<(), FeError> {
+fn refuse_cut_number(source: &Source) -> Result<(), ImportError> {
     let bytes = source.bytes();
     if bytes.ends_with(b"\n") {
         return Ok(());

@@ -1,8 +1,8 @@
 //! Matrix Market files, coordinate and array, real and integer, general and symmetric.
 
-use crate::FeError;
+use crate::import::ImportError;
 use crate::import::matrix::entries::{Entries, RowNumber, offset_of_data_line, skip_blank_or_comment};
-use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, Storage};
+use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, ShapeCheck, Storage};
 use crate::import::text::cursor::{Cursor, DefectKind};
 use crate::import::text::source::Source;
 
@@ -26,7 +26,7 @@ struct Header {
 }
 
 /// Reads a square matrix as listed entries.
-pub(crate) fn read_square(source: Source) -> Result<RawMatrix, FeError> {
+pub(crate) fn read_square(source: Source) -> Result<RawMatrix, ImportError> {
     let header = read_header(&source)?;
     let size = RawMatrix::square(&source, header.rows, header.columns)?;
     let storage = if header.symmetric { Storage::OneTriangle } else { Storage::Full };
@@ -48,10 +48,7 @@ pub(crate) fn read_square(source: Source) -> Result<RawMatrix, FeError> {
 }
 
 /// Reads a matrix of any shape into dense columns. `check` sees the shape before anything is allocated.
-pub(crate) fn read_dense(
-    source: &Source,
-    check: &dyn Fn(usize, usize) -> Result<(), FeError>,
-) -> Result<Dense, FeError> {
+pub(crate) fn read_dense(source: &Source, check: &ShapeCheck<'_>) -> Result<Dense, ImportError> {
     let header = read_header(source)?;
     let (rows, columns) = (header.rows, header.columns);
     check(rows, columns)?;
@@ -78,7 +75,7 @@ pub(crate) fn read_dense(
     Ok(Dense { rows, columns, values: dense })
 }
 
-fn read_header(source: &Source) -> Result<Header, FeError> {
+fn read_header(source: &Source) -> Result<Header, ImportError> {
     let bytes = source.bytes();
     let mut cursor = Cursor::new(bytes, 0);
     cursor.next_line();
@@ -98,7 +95,7 @@ fn read_header(source: &Source) -> Result<Header, FeError> {
     while cursor.at < bytes.len() && skip_blank_or_comment(bytes, &mut cursor) {}
     let at = cursor.at;
     let sizes = if array { "the size line `rows columns`" } else { "the size line `rows columns entries`" };
-    let mut number = || -> Result<usize, FeError> {
+    let mut number = || -> Result<usize, ImportError> {
         let number = cursor.unsigned(sizes).map_err(|defect| source.defect(&defect, 0))?;
         // Row numbers are kept in 32 bits.
         u32::try_from(number).map(|number| number as usize).map_err(|_| source.expected(at, sizes))
@@ -116,7 +113,7 @@ fn read_header(source: &Source) -> Result<Header, FeError> {
     Ok(Header { array, symmetric, rows, columns, stored, data: cursor.at })
 }
 
-fn read_coordinates(source: &Source, header: &Header) -> Result<Entries, FeError> {
+fn read_coordinates(source: &Source, header: &Header) -> Result<Entries, ImportError> {
     let limit = header.rows.max(header.columns);
     let entries = Entries::read(source.bytes(), header.data, &RowNumber { limit })
         .map_err(|defect| cut_or_defect(source, header, &defect))?;
@@ -152,7 +149,11 @@ fn read_coordinates(source: &Source, header: &Header) -> Result<Entries, FeError
 }
 
 /// A defect in the last line of a file that is too short is a cut, and is called so.
-fn cut_or_defect(source: &Source, header: &Header, defect: &crate::import::text::cursor::Defect) -> FeError {
+fn cut_or_defect(
+    source: &Source,
+    header: &Header,
+    defect: &crate::import::text::cursor::Defect,
+) -> ImportError {
     let bytes = source.bytes();
     let last = source.line_of(defect.at) == source.last_line();
     if last && !bytes.ends_with(b"\n") && matches!(defect.kind, DefectKind::Expected(_)) {
@@ -171,7 +172,7 @@ fn cut_or_defect(source: &Source, header: &Header, defect: &crate::import::text:
 }
 
 /// The values of an array file, one a line (several a line are accepted).
-fn read_values(source: &Source, header: &Header) -> Result<Vec<f64>, FeError> {
+fn read_values(source: &Source, header: &Header) -> Result<Vec<f64>, ImportError> {
     let bytes = source.bytes();
     let mut values = Vec::with_capacity(header.stored.min(bytes.len()));
     let mut cursor = Cursor::new(bytes, header.data);

@@ -7,6 +7,7 @@ mod dense_matrix;
 mod listed_matrix;
 pub(crate) mod matrix_file;
 mod matrix_market;
+mod npy_header;
 mod npz_archive;
 pub(crate) mod numpy;
 pub(crate) mod text_table;

@@ -1,24 +1,28 @@
 //! A `.npz` file: a zip archive of `.npy` files, stored or deflated as NumPy writes them.
 
-use std::io::{self, Cursor, Read};
+use std::io::{self, Cursor, Error, ErrorKind};
 
 use npyz::NpyFile;
 use zip::ZipArchive;
 use zip::result::ZipError;
 
+use super::npy_header;
+use crate::import::text::compressed::{Unread, read_within};
+
 /// The arrays of one archive, by name without the ending `.npy`.
 pub(crate) struct NpzArchive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
     names: Vec<String>,
+    inflated_limit: u64,
 }
 
 impl<'a> NpzArchive<'a> {
     /// Reads the directory of the archive.
-    pub(crate) fn new(bytes: &'a [u8]) -> io::Result<Self> {
+    pub(crate) fn new(bytes: &'a [u8], inflated_limit: u64) -> io::Result<Self> {
         let zip = ZipArchive::new(Cursor::new(bytes))?;
         let names =
             zip.file_names().filter_map(|name| Some(name.ok()?.strip_suffix(".npy")?.to_owned())).collect();
-        Ok(Self { zip, names })
+        Ok(Self { zip, names, inflated_limit })
     }
 
     /// Names of the arrays.
@@ -28,13 +32,19 @@ impl<'a> NpzArchive<'a> {
 
     /// The array of this name; `None` if there is none.
     pub(crate) fn by_name(&mut self, name: &str) -> io::Result<Option<NpyFile<Cursor<Vec<u8>>>>> {
-        let mut entry = match self.zip.by_name(&format!("{name}.npy")) {
+        let entry = match self.zip.by_name(&format!("{name}.npy")) {
             Ok(entry) => entry,
             Err(ZipError::FileNotFound) => return Ok(None),
             Err(error) => return Err(error.into()),
         };
-        let mut bytes = Vec::new();
-        entry.read_to_end(&mut bytes)?;
+        let limit = self.inflated_limit;
+        let invalid = |message| Error::new(ErrorKind::InvalidData, message);
+        let bytes = read_within(entry, limit).map_err(|unread| match unread {
+            Unread::Beyond => invalid(format!("it inflates to more than {limit} bytes, the limit")),
+            Unread::Broken(error) => error,
+        })?;
+        npy_header::check(&bytes)
+            .map_err(|defect| invalid(format!("expected {}, found {}", defect.expected, defect.found)))?;
         NpyFile::new(Cursor::new(bytes)).map(Some)
     }
 }

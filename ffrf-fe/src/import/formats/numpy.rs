@@ -1,14 +1,16 @@
 //! NumPy `.npy` arrays and `.npz` archives, dense or as `scipy.sparse.save_npz` writes them.
 
+use std::collections::HashSet;
 use std::io::{Cursor, Read};
 
 use npyz::{DType, NpyFile, Order, TypeChar};
 
 use super::npz_archive::NpzArchive;
-use super::text_table;
-use crate::FeError;
+use super::{npy_header, text_table};
+use crate::import::ImportError;
+use crate::import::error::printable;
 use crate::import::matrix::entries::Entries;
-use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, Storage};
+use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, ShapeCheck, Storage};
 use crate::import::nodes::NodeTable;
 use crate::import::text::source::Source;
 
@@ -17,8 +19,13 @@ pub(crate) const NPY_MAGIC: &[u8] = b"\x93NUMPY";
 /// First bytes of a `.npz` file, which is a zip archive.
 pub(crate) const NPZ_MAGIC: &[u8] = b"PK\x03\x04";
 
+/// True if the file is a NumPy array or archive.
+pub(crate) fn is_numpy(bytes: &[u8]) -> bool {
+    bytes.starts_with(NPY_MAGIC) || bytes.starts_with(NPZ_MAGIC)
+}
+
 /// Reads a square matrix, dense or sparse, from a `.npy` or `.npz` file.
-pub(crate) fn read_square(source: Source) -> Result<RawMatrix, FeError> {
+pub(crate) fn read_square(source: Source) -> Result<RawMatrix, ImportError> {
     if source.bytes().starts_with(NPZ_MAGIC) {
         let mut archive = open(&source)?;
         if archive.array_names().any(|name| name == "format") {
@@ -32,7 +39,7 @@ pub(crate) fn read_square(source: Source) -> Result<RawMatrix, FeError> {
             });
         }
     }
-    let dense = read_dense(&source, &[])?;
+    let dense = read_dense(&source, &[], &|_, _| Ok(()))?;
     let size = RawMatrix::square(&source, dense.rows, dense.columns)?;
     let (mut rows, mut columns, mut values) = (Vec::new(), Vec::new(), Vec::new());
     for (place, &value) in dense.values.iter().enumerate() {
@@ -48,7 +55,11 @@ pub(crate) fn read_square(source: Source) -> Result<RawMatrix, FeError> {
 
 /// Reads a dense array of one or two dimensions; a vector is one column. In an archive the array is the first of
 /// `names` that exists, or the only one.
-pub(crate) fn read_dense(source: &Source, names: &[&str]) -> Result<Dense, FeError> {
+pub(crate) fn read_dense(
+    source: &Source,
+    names: &[&str],
+    check: &ShapeCheck<'_>,
+) -> Result<Dense, ImportError> {
     if source.bytes().starts_with(NPZ_MAGIC) {
         let mut archive = open(source)?;
         let present: Vec<String> = archive.array_names().map(str::to_owned).collect();
@@ -61,15 +72,16 @@ pub(crate) fn read_dense(source: &Source, names: &[&str]) -> Result<Dense, FeErr
                 return Err(defect(source, "", expected, present.join(", ")));
             }
         };
-        return dense_array(source, &name, array(source, &mut archive, &name)?);
+        return dense_array(source, &name, array(source, &mut archive, &name)?, check);
     }
+    npy_header::check(source.bytes()).map_err(|found| defect(source, "", found.expected, found.found))?;
     let file = NpyFile::new(source.bytes()).map_err(|error| unreadable(source, "", &error))?;
-    dense_array(source, "", file)
+    dense_array(source, "", file, check)
 }
 
 /// Reads nodes: N x 3, or N x 4 with ids in the first column.
-pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, FeError> {
-    let Dense { rows, columns, values } = read_dense(source, &["nodes", "X", "x"])?;
+pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, ImportError> {
+    let Dense { rows, columns, values } = read_dense(source, &["nodes", "X", "x"], &|_, _| Ok(()))?;
     let offset = match columns {
         3 => 0,
         4 => 1,
@@ -84,30 +96,41 @@ pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, FeError> {
             }
             *id = value as u64;
         }
+        let mut seen = HashSet::with_capacity(rows);
+        if let Some(row) = table.nodes.ids.iter().position(|&id| !seen.insert(id)) {
+            let (path, id) = (source.path().to_path_buf(), table.nodes.ids[row]);
+            return Err(ImportError::RepeatedNode { path, row: row + 1, id });
+        }
     }
     table.check_size(source)
 }
 
-fn open(source: &Source) -> Result<NpzArchive<'_>, FeError> {
-    NpzArchive::new(source.bytes()).map_err(|error| unreadable(source, "", &error))
+fn open(source: &Source) -> Result<NpzArchive<'_>, ImportError> {
+    NpzArchive::new(source.bytes(), source.inflated_limit()).map_err(|error| unreadable(source, "", &error))
 }
 
 fn array(
     source: &Source,
     archive: &mut NpzArchive<'_>,
     name: &str,
-) -> Result<NpyFile<Cursor<Vec<u8>>>, FeError> {
+) -> Result<NpyFile<Cursor<Vec<u8>>>, ImportError> {
     let found = archive.by_name(name).map_err(|error| unreadable(source, name, &error))?;
     found.ok_or_else(|| defect(source, name, "an array of this name", "none"))
 }
 
-fn dense_array<R: Read>(source: &Source, name: &str, file: NpyFile<R>) -> Result<Dense, FeError> {
+fn dense_array<R: Read>(
+    source: &Source,
+    name: &str,
+    file: NpyFile<R>,
+    check: &ShapeCheck<'_>,
+) -> Result<Dense, ImportError> {
     let (rows, columns) = match *file.shape() {
         [rows] => (rows, 1),
         [rows, columns] => (rows, columns),
         _ => return Err(defect(source, name, "one or two dimensions", format!("{:?}", file.shape()))),
     };
     let (rows, columns) = (length(source, name, rows)?, length(source, name, columns)?);
+    check(rows, columns)?;
     let by_rows = file.order() == Order::C && columns > 1;
     let values = floats(source, name, file)?;
     let values = if by_rows {
@@ -119,7 +142,7 @@ fn dense_array<R: Read>(source: &Source, name: &str, file: NpyFile<R>) -> Result
 }
 
 /// All values of an array as floats.
-fn floats<R: Read>(source: &Source, name: &str, file: NpyFile<R>) -> Result<Vec<f64>, FeError> {
+fn floats<R: Read>(source: &Source, name: &str, file: NpyFile<R>) -> Result<Vec<f64>, ImportError> {
     let announced = length(source, name, file.len())?;
     let kind = number_kind(&file.dtype());
     let values: std::io::Result<Vec<f64>> = match kind {
@@ -142,7 +165,7 @@ fn floats<R: Read>(source: &Source, name: &str, file: NpyFile<R>) -> Result<Vec<
     }
     match values.iter().position(|value| !value.is_finite()) {
         None => Ok(values),
-        Some(place) => Err(FeError::NonFinite {
+        Some(place) => Err(ImportError::NonFinite {
             path: source.path().to_path_buf(),
             line: place + 1,
             found: format!("{} (position in the array)", values[place]),
@@ -160,7 +183,7 @@ fn number_kind(dtype: &DType) -> Option<(TypeChar, u64)> {
 }
 
 /// The entries of a matrix in the layout of `scipy.sparse.save_npz`: csr, csc or coo.
-fn sparse_entries(source: &Source, archive: &mut NpzArchive<'_>) -> Result<(usize, Entries), FeError> {
+fn sparse_entries(source: &Source, archive: &mut NpzArchive<'_>) -> Result<(usize, Entries), ImportError> {
     let values = floats(source, "data", array(source, archive, "data")?)?;
     let shape = integers(source, archive, "shape")?;
     let &[rows, columns] = shape.as_slice() else {
@@ -192,7 +215,7 @@ fn sparse_entries(source: &Source, archive: &mut NpzArchive<'_>) -> Result<(usiz
         let expected = format!("{} values, one per index", rows.len());
         return Err(defect(source, "data", expected, values.len().to_string()));
     }
-    let narrow = |indices: Vec<usize>| -> Result<Vec<u32>, FeError> {
+    let narrow = |indices: Vec<usize>| -> Result<Vec<u32>, ImportError> {
         let checked = indices.into_iter().map(|value| {
             let inside = if value < size { u32::try_from(value).ok() } else { None };
             inside
@@ -204,7 +227,7 @@ fn sparse_entries(source: &Source, archive: &mut NpzArchive<'_>) -> Result<(usiz
 }
 
 /// A vector of non-negative integers, stored as i4 or i8.
-fn integers(source: &Source, archive: &mut NpzArchive<'_>, name: &str) -> Result<Vec<usize>, FeError> {
+fn integers(source: &Source, archive: &mut NpzArchive<'_>, name: &str) -> Result<Vec<usize>, ImportError> {
     let file = array(source, archive, name)?;
     let values: std::io::Result<Vec<i64>> = match number_kind(&file.dtype()) {
         Some((TypeChar::Int, 8)) => file.into_vec(),
@@ -220,7 +243,7 @@ fn integers(source: &Source, archive: &mut NpzArchive<'_>, name: &str) -> Result
     counted.collect()
 }
 
-fn length(source: &Source, name: &str, value: u64) -> Result<usize, FeError> {
+fn length(source: &Source, name: &str, value: u64) -> Result<usize, ImportError> {
     // An array larger than the address space of 32-bit row numbers is no matrix of this program.
     usize::try_from(value)
         .ok()
@@ -228,19 +251,24 @@ fn length(source: &Source, name: &str, value: u64) -> Result<usize, FeError> {
         .ok_or_else(|| defect(source, name, "at most 2^32 values", value.to_string()))
 }
 
-fn index(source: &Source, name: &str, value: usize) -> Result<u32, FeError> {
+fn index(source: &Source, name: &str, value: usize) -> Result<u32, ImportError> {
     u32::try_from(value).map_err(|_| defect(source, name, "at most 2^32 rows", value.to_string()))
 }
 
-fn defect(source: &Source, array: &str, expected: impl Into<String>, found: impl Into<String>) -> FeError {
-    FeError::Array {
+fn defect(
+    source: &Source,
+    array: &str,
+    expected: impl Into<String>,
+    found: impl Into<String>,
+) -> ImportError {
+    ImportError::Array {
         path: source.path().to_path_buf(),
-        array: array.to_owned(),
-        expected: expected.into(),
-        found: found.into(),
+        array: printable(array),
+        expected: printable(&expected.into()),
+        found: printable(&found.into()),
     }
 }
 
-fn unreadable(source: &Source, array: &str, error: &std::io::Error) -> FeError {
+fn unreadable(source: &Source, array: &str, error: &std::io::Error) -> ImportError {
     defect(source, array, "a complete NumPy array", error.to_string())
 }

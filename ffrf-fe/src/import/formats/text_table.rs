@@ -1,14 +1,15 @@
 //! Plain tables of numbers: one row a line, blanks, tabs or commas between; comments start with `#`, `%` or `*`.
 
+use crate::Nodes;
+use crate::import::ImportError;
 use crate::import::matrix::entries::skip_blank_or_comment;
-use crate::import::matrix::raw_matrix::Dense;
+use crate::import::matrix::raw_matrix::{Dense, ShapeCheck};
 use crate::import::nodes::NodeTable;
 use crate::import::text::cursor::Cursor;
 use crate::import::text::source::Source;
-use crate::{FeError, Nodes};
 
 /// Reads a rectangular table, column by column in the result.
-pub(crate) fn read_dense(source: &Source) -> Result<Dense, FeError> {
+pub(crate) fn read_dense(source: &Source, _check: &ShapeCheck<'_>) -> Result<Dense, ImportError> {
     let bytes = source.bytes();
     let mut cursor = Cursor::new(bytes, 0);
     let mut by_rows = Vec::new();
@@ -38,7 +39,7 @@ pub(crate) fn read_dense(source: &Source) -> Result<Dense, FeError> {
 }
 
 /// Reads `x y z` a line; ids are row numbers from 0.
-pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, FeError> {
+pub(crate) fn read_nodes(source: &Source) -> Result<NodeTable, ImportError> {
     let bytes = source.bytes();
     let mut cursor = Cursor::new(bytes, 0);
     let mut positions = Vec::new();

@@ -12,7 +12,8 @@ use faer::{Par, Side, Spec};
 
 use super::large_definiteness::{lowest_minor, lowest_ritz_value};
 use super::symmetric::sparse;
-use crate::{FeError, SparseMatrix};
+use crate::SparseMatrix;
+use crate::import::ImportError;
 
 /// Negative eigenvalues of the matrix scaled to unit diagonal down to minus this are round-off: exports print 14
 /// digits and more, and the factorisation of a few 100,000 rows adds about 1e-12.
@@ -29,9 +30,10 @@ pub(crate) fn refuse_indefinite(
     matrix: &SparseMatrix,
     role: &'static str,
     path: &Path,
-) -> Result<(), FeError> {
+) -> Result<(), ImportError> {
     let size = matrix.nrows();
-    let failure = |reason: String| FeError::Factorization { path: path.to_path_buf(), role, size, reason };
+    let failure =
+        |reason: String| ImportError::Factorization { path: path.to_path_buf(), role, size, reason };
     let scaled = scaled_and_shifted(matrix);
     let symbolic = factorize_symbolic_cholesky(
         scaled.symbolic(),
@@ -54,7 +56,7 @@ pub(crate) fn refuse_indefinite(
     if negative == 0 {
         return Ok(());
     }
-    Err(FeError::Indefinite {
+    Err(ImportError::Indefinite {
         path: path.to_path_buf(),
         role,
         negative,
@@ -172,7 +174,7 @@ mod tests {
     fn negative(matrix: &SparseMatrix) -> usize {
         match refuse_indefinite(matrix, "stiffness", Path::new("k.mtx")) {
             Ok(()) => 0,
-            Err(FeError::Indefinite { negative, .. }) => negative,
+            Err(ImportError::Indefinite { negative, .. }) => negative,
             Err(other) => panic!("{other}"),
         }
     }

@@ -1,8 +1,8 @@
 //! A matrix as a file states it, before symmetry, sizes and boundary conditions are settled.
 
 use super::entries::Entries;
-use crate::FeError;
 use crate::import::text::source::Source;
+use crate::import::{ImportError, Note};
 
 /// Entries of one file with what is known of their meaning.
 #[derive(Debug)]
@@ -41,6 +41,9 @@ pub(crate) enum Numbering {
     Labelled,
 }
 
+/// Judges a shape (rows, columns) before anything of its size is allocated.
+pub(crate) type ShapeCheck<'a> = dyn Fn(usize, usize) -> Result<(), ImportError> + 'a;
+
 /// A small dense matrix as read, column by column.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Dense {
@@ -53,10 +56,25 @@ pub(crate) struct Dense {
 }
 
 impl RawMatrix {
+    /// How a list without a header was read, which it does not say itself; `None` for other files, and for lists whose
+    /// rows another file names.
+    pub(crate) fn reading(&self, rows_are_named: bool) -> Option<Note> {
+        let form = match self.numbering {
+            Numbering::Listed => "`row column value`",
+            Numbering::Labelled if !rows_are_named => "`node dof node dof value`",
+            _ => return None,
+        };
+        let (size, entries) = (self.size, self.entries.len());
+        let path = self.source.path().display();
+        Some(Note::reading(format!(
+            "{path}: a list without a header, read as {form} with {entries} entries of {size} rows"
+        )))
+    }
+
     /// Checks a declared shape.
-    pub(crate) fn square(source: &Source, rows: usize, columns: usize) -> Result<usize, FeError> {
+    pub(crate) fn square(source: &Source, rows: usize, columns: usize) -> Result<usize, ImportError> {
         if rows != columns {
-            return Err(FeError::NotSquare { path: source.path().to_path_buf(), rows, columns });
+            return Err(ImportError::NotSquare { path: source.path().to_path_buf(), rows, columns });
         }
         Ok(rows)
     }

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use super::symmetric::sparse;
+use crate::SparseMatrix;
+use crate::import::ImportError;
 use crate::import::nodes::NodeTable;
-use crate::{FeError, SparseMatrix};
 
 /// Largest deviation of M_FE from M_s ⊗ I3, relative to its largest entry. Displacement elements with consistent
 /// or lumped mass are isotropic to the digits printed (14 and more); rotary or added directional masses are not.
@@ -27,7 +28,7 @@ pub(crate) fn scalar_mass(
     known: &[bool],
     table: &NodeTable,
     path: &Path,
-) -> Result<ScalarMass, FeError> {
+) -> Result<ScalarMass, ImportError> {
     let nodes = table.nodes.len();
     let masks: Vec<[bool; 3]> = known.chunks_exact(3).map(|of| [of[0], of[1], of[2]]).collect();
     refuse_unknown_mass(&masks, table, path)?;
@@ -83,7 +84,7 @@ pub(crate) fn scalar_mass(
     let (deviation, row, column) = worst;
     let anisotropy = if largest > 0.0 { deviation / largest } else { 0.0 };
     if anisotropy > ISOTROPY_TOLERANCE {
-        return Err(FeError::Anisotropic {
+        return Err(ImportError::Anisotropic {
             path: path.to_path_buf(),
             row: row + 1,
             column: column + 1,
@@ -95,7 +96,7 @@ pub(crate) fn scalar_mass(
 }
 
 /// Refuses nodes whose mass no direction shows, and neighbours that have no direction in common.
-fn refuse_unknown_mass(masks: &[[bool; 3]], table: &NodeTable, path: &Path) -> Result<(), FeError> {
+fn refuse_unknown_mass(masks: &[[bool; 3]], table: &NodeTable, path: &Path) -> Result<(), ImportError> {
     let mut hidden: Vec<usize> = (0..masks.len()).filter(|&node| masks[node] == [false; 3]).collect();
     if hidden.is_empty() {
         let disjoint = |a: usize, b: usize| (0..3).all(|i| !(masks[a][i] && masks[b][i]));
@@ -123,7 +124,7 @@ fn refuse_unknown_mass(masks: &[[bool; 3]], table: &NodeTable, path: &Path) -> R
     }
     match hidden.first() {
         None => Ok(()),
-        Some(&first) => Err(FeError::MassUnknown {
+        Some(&first) => Err(ImportError::MassUnknown {
             path: path.to_path_buf(),
             nodes: hidden.len(),
             first: table.nodes.ids[first],

@@ -7,7 +7,8 @@ use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use super::raw_matrix::Storage;
 use super::sparse_lines::{LineKind, SparseLines};
 use super::triangles::{self, Agreement};
-use crate::{FeError, SparseMatrix};
+use crate::SparseMatrix;
+use crate::import::ImportError;
 
 /// Largest difference of mirrored entries, relative to the largest entry of the matrix. FE codes print 14 to 17
 /// digits, so mirrored entries agree to 1e-13; a wrong entry differs by far more.
@@ -15,7 +16,7 @@ pub(crate) const SYMMETRY_TOLERANCE: f64 = 1e-9;
 
 impl SparseLines {
     /// The symmetric matrix with both triangles, or the worst asymmetry.
-    pub(crate) fn symmetric(self, storage: Storage, path: &Path) -> Result<SparseMatrix, FeError> {
+    pub(crate) fn symmetric(self, storage: Storage, path: &Path) -> Result<SparseMatrix, ImportError> {
         let (before, behind) = triangles::sides(&self);
         let one_sided = !(before && behind);
         if one_sided && storage != Storage::Full {
@@ -40,7 +41,7 @@ impl SparseLines {
     }
 
     /// The same for any pattern: unites each column with the row of the same number.
-    fn united(self, storage: Storage, path: &Path) -> Result<SparseMatrix, FeError> {
+    fn united(self, storage: Storage, path: &Path) -> Result<SparseMatrix, ImportError> {
         let (columns, mirrored) = match self.kind {
             LineKind::Column => {
                 let mirrored = self.transposed();
@@ -80,7 +81,7 @@ impl SparseLines {
         }
         let (deviation, row, column, value, mirrored) = worst;
         if deviation > SYMMETRY_TOLERANCE * largest {
-            return Err(FeError::Asymmetric {
+            return Err(ImportError::Asymmetric {
                 path: path.to_path_buf(),
                 row: row + 1,
                 column: column + 1,

@@ -4,4 +4,4 @@ mod lookup;
 mod table;
 
 pub(crate) use lookup::NodeLookup;
-pub(crate) use table::{NodeTable, compressed};
+pub(crate) use table::{ElementTrouble, NodeTable, TroubleKind, compressed};

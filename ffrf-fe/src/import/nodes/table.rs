@@ -1,7 +1,10 @@
 //! Nodes with what their file says about matrices: labels, elements, boundary conditions.
 
+use std::path::PathBuf;
+
+use crate::import::ImportError;
 use crate::import::text::source::Source;
-use crate::{Element, FeError, Nodes};
+use crate::{Element, Nodes};
 
 /// What a node source supplies.
 #[derive(Debug, Default)]
@@ -12,19 +15,43 @@ pub(crate) struct NodeTable {
     pub(crate) elements: Vec<Element>,
     /// Which nodes belong to some element; `None` if the file has no elements.
     pub(crate) attached: Option<Vec<bool>>,
+    /// Element types known to make trouble, at their first line.
+    pub(crate) troubles: Vec<ElementTrouble>,
     /// True if the file prescribes boundary conditions.
     pub(crate) has_boundary: bool,
 }
 
+/// An element type whose exported matrices are not what this program needs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct ElementTrouble {
+    /// The element type, upper case.
+    pub(crate) element: String,
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// Line number from 1.
+    pub(crate) line: usize,
+    /// What is wrong with it.
+    pub(crate) kind: TroubleKind,
+}
+
+/// What is wrong with an element type.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum TroubleKind {
+    /// Its matrices have rows of nodes that the deck does not know.
+    InternalNodes,
+    /// Its mass matrix is singular.
+    SingularMass,
+}
+
 impl NodeTable {
     /// Refuses an empty table and one whose degrees of freedom do not fit 32 bits.
-    pub(crate) fn check_size(self, source: &Source) -> Result<Self, FeError> {
+    pub(crate) fn check_size(self, source: &Source) -> Result<Self, ImportError> {
         if self.nodes.is_empty() {
-            return Err(FeError::NoNodes { path: source.path().to_path_buf() });
+            return Err(ImportError::NoNodes { path: source.path().to_path_buf() });
         }
         let limit = u32::MAX as usize / 3;
         if self.nodes.len() > limit {
-            return Err(FeError::SizeMismatch {
+            return Err(ImportError::SizeMismatch {
                 path: source.path().to_path_buf(),
                 expected: format!("at most {limit} nodes"),
                 found: self.nodes.len(),

@@ -5,12 +5,12 @@ use std::path::Path;
 use ffrf_model::SourceFile;
 
 use super::source::Source;
-use crate::FeError;
+use crate::import::ImportError;
 
 /// Name and hash of a file, such as one with mode shapes, for the provenance of a body.
 ///
 /// # Errors
 /// A file that cannot be read.
-pub fn source_file(path: &Path, role: &str) -> Result<SourceFile, FeError> {
-    Ok(Source::read(path)?.finish(role))
+pub fn source_file(path: &Path, role: &str) -> Result<SourceFile, ImportError> {
+    Ok(Source::stored(path)?.finish(role))
 }

@@ -9,7 +9,8 @@ use sha2::{Digest, Sha256};
 
 use super::compressed::{inflate, is_compressed, stored_path};
 use super::cursor::{Defect, DefectKind};
-use crate::FeError;
+use crate::import::ImportError;
+use crate::import::error::printable;
 
 /// Longest excerpt of a file that an error message quotes.
 const EXCERPT: usize = 60;
@@ -21,30 +22,52 @@ pub(crate) struct Source {
     /// As stored; the provenance is the hash of these.
     stored: Arc<Vec<u8>>,
     /// The content: the stored bytes, inflated if they are compressed.
-    bytes: Arc<Vec<u8>>,
+    bytes: Content,
     hash: Option<JoinHandle<String>>,
+    inflated_limit: u64,
+}
+
+/// The content of a file, shared with its [`Source`].
+#[derive(Debug, Clone)]
+pub(crate) struct Content(Arc<Vec<u8>>);
+
+impl Content {
+    /// The content, without a byte-order mark.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        self.0.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.0)
+    }
 }
 
 impl Source {
     /// Reads the file whole, or the one with `.gz` after its name, and starts hashing it.
-    pub(crate) fn read(path: &Path) -> Result<Self, FeError> {
-        let mut source = Self::read_unhashed(path)?;
+    pub(crate) fn read(path: &Path, inflated_limit: u64) -> Result<Self, ImportError> {
+        let mut source = Self::read_unhashed(path, inflated_limit)?;
         source.start_hash();
         Ok(source)
     }
 
     /// Reads the file whole, or the one with `.gz` after its name. For large files, which all cores scan: the hash
     /// is started once they are scanned, by [`Self::start_hash`], or else comes with [`Self::finish`].
-    pub(crate) fn read_unhashed(path: &Path) -> Result<Self, FeError> {
+    pub(crate) fn read_unhashed(path: &Path, inflated_limit: u64) -> Result<Self, ImportError> {
+        let mut source = Self::stored(path)?;
+        source.inflated_limit = inflated_limit;
+        if is_compressed(&source.path) {
+            let inflated = inflate(&source.stored, inflated_limit);
+            let inflated =
+                inflated.map_err(|error| ImportError::Io { path: source.path.clone(), source: error })?;
+            source.bytes = Content(Arc::new(inflated));
+        }
+        Ok(source)
+    }
+
+    /// The file as stored, not inflated: for its name and hash alone.
+    pub(crate) fn stored(path: &Path) -> Result<Self, ImportError> {
         let path = stored_path(path);
-        let failure = |source| FeError::Io { path: path.clone(), source };
-        let stored = Arc::new(std::fs::read(&path).map_err(failure)?);
-        let bytes = if is_compressed(&path) {
-            Arc::new(inflate(&stored).map_err(failure)?)
-        } else {
-            Arc::clone(&stored)
+        let stored = match std::fs::read(&path) {
+            Ok(bytes) => Arc::new(bytes),
+            Err(source) => return Err(ImportError::Io { path, source }),
         };
-        Ok(Source { path, stored, bytes, hash: None })
+        Ok(Source { path, bytes: Content(Arc::clone(&stored)), stored, hash: None, inflated_limit: 0 })
     }
 
     /// Hashes the bytes on a thread of their own, unless this has been done.
@@ -61,7 +84,17 @@ impl Source {
 
     /// The content, without a byte-order mark.
     pub(crate) fn bytes(&self) -> &[u8] {
-        self.bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.bytes)
+        self.bytes.bytes()
+    }
+
+    /// The content, to be kept beside the source.
+    pub(crate) fn content(&self) -> Content {
+        self.bytes.clone()
+    }
+
+    /// Largest inflated size of what is compressed in this file. Units: bytes.
+    pub(crate) fn inflated_limit(&self) -> u64 {
+        self.inflated_limit
     }
 
     /// File name and hash, for the provenance.
@@ -101,42 +134,42 @@ impl Source {
         match (token.is_empty(), shown.is_empty()) {
             (true, true) if at >= bytes.len() => "the end of the file".to_owned(),
             (true, true) => "an empty line".to_owned(),
-            (true, false) => format!("the end of the line `{shown}`"),
-            (false, _) if token == shown => format!("`{token}`"),
-            (false, _) => format!("`{token}` in `{shown}`"),
+            (true, false) => format!("the end of the line `{}`", printable(&shown)),
+            (false, _) if token == shown => format!("`{}`", printable(&token)),
+            (false, _) => format!("`{}` in `{}`", printable(&token), printable(&shown)),
         }
     }
 
     /// An error of the form file, line, expected, found.
-    pub(crate) fn expected(&self, at: usize, expected: impl Into<String>) -> FeError {
-        FeError::Parse {
+    pub(crate) fn expected(&self, at: usize, expected: impl Into<String>) -> ImportError {
+        ImportError::Parse {
             path: self.path.clone(),
             line: self.line_of(at),
-            expected: expected.into(),
+            expected: printable(&expected.into()),
             found: self.excerpt(at),
         }
     }
 
     /// Turns a defect of the scan into an error; `nodes` is the size of the node table, if there is one.
-    pub(crate) fn defect(&self, defect: &Defect, nodes: usize) -> FeError {
+    pub(crate) fn defect(&self, defect: &Defect, nodes: usize) -> ImportError {
         let at = defect.at;
         match defect.kind {
             DefectKind::Expected(expected) => self.expected(at, expected),
             DefectKind::ExpectedIndex(limit) => self.expected(at, format!("an index from 1 to {limit}")),
-            DefectKind::NonFinite => FeError::NonFinite {
+            DefectKind::NonFinite => ImportError::NonFinite {
                 path: self.path.clone(),
                 line: self.line_of(at),
                 found: self.excerpt(at),
             },
             DefectKind::UnknownNode(id) => {
-                FeError::UnknownNode { path: self.path.clone(), line: self.line_of(at), id, nodes }
+                ImportError::UnknownNode { path: self.path.clone(), line: self.line_of(at), id, nodes }
             }
         }
     }
 
     /// The file ends too early.
-    pub(crate) fn truncated(&self, what: &'static str, expected: usize, found: usize) -> FeError {
-        FeError::Truncated { path: self.path.clone(), line: self.last_line(), what, expected, found }
+    pub(crate) fn truncated(&self, what: &'static str, expected: usize, found: usize) -> ImportError {
+        ImportError::Truncated { path: self.path.clone(), line: self.last_line(), what, expected, found }
     }
 }
 
@@ -153,7 +186,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("abc.txt");
         std::fs::write(&path, "abc").unwrap();
-        let source = Source::read(&path).unwrap();
+        let source = Source::read(&path, 0).unwrap();
         assert_eq!(source.line_of(2), 1);
         let file = source.finish("nodes");
         assert_eq!(file.file, "abc.txt");
@@ -163,7 +196,7 @@ mod tests {
 
     #[test]
     fn a_missing_file_is_named() {
-        let error = Source::read(Path::new("no/such/file.mtx")).unwrap_err();
+        let error = Source::read(Path::new("no/such/file.mtx"), 0).unwrap_err();
         assert!(error.to_string().starts_with("no/such/file.mtx: "), "{error}");
     }
 }

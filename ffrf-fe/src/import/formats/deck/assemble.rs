@@ -1,58 +1,80 @@
 //! From parts and instances to one node table.
 
-use std::collections::BTreeMap;
+use std::collections::HashSet;
 
-use super::mesh::{Member, Mesh, Place, RawSet};
+use super::mesh::{Mesh, Place};
+use super::sets::sets;
+use crate::import::ImportError;
 use crate::import::nodes::{NodeLookup, NodeTable};
 use crate::import::text::source::Source;
-use crate::{Element, FeError, Nodes};
+use crate::{Element, Nodes};
 
 /// Where the nodes of one mesh went.
-struct Placed<'a> {
-    mesh: &'a Mesh,
+pub(super) struct Placed<'a> {
+    pub(super) mesh: &'a Mesh,
+    /// Labels of the mesh, ascending, each once.
+    pub(super) labels: Vec<u64>,
     /// Row in the whole table of each node of the mesh.
     rows: Vec<usize>,
     lookup: NodeLookup,
 }
 
+impl Placed<'_> {
+    /// Row in the whole table of a label of the mesh.
+    pub(super) fn row(&self, label: u64) -> Option<usize> {
+        self.lookup.row(label).map(|local| self.rows[local])
+    }
+
+    /// Where the labels from `first` to `last` stand among [`Self::labels`].
+    pub(super) fn labels_between(&self, first: u64, last: u64) -> (usize, usize) {
+        let from = self.labels.partition_point(|&label| label < first);
+        (from, self.labels.partition_point(|&label| label <= last))
+    }
+}
+
 /// Puts all meshes into one table. Where labels of two instances clash, those of the later one are raised by the
 /// largest label before.
-pub(super) fn assemble(meshes: Vec<Mesh>, sources: &[Source]) -> Result<NodeTable, FeError> {
+pub(super) fn assemble(meshes: &[Mesh], sources: &[Source]) -> Result<NodeTable, ImportError> {
     let mut nodes = Nodes::default();
+    let mut taken: HashSet<u64> = HashSet::new();
     let mut placed: Vec<Placed<'_>> = Vec::new();
-    for mesh in &meshes {
+    for mesh in meshes {
         let lookup = NodeLookup::new(&mesh.ids);
-        let clash = placed.iter().any(|other| mesh.ids.iter().any(|&id| other.lookup.row(id).is_some()));
+        let clash = mesh.ids.iter().any(|id| taken.contains(id));
         let raise = if clash { nodes.ids.iter().copied().max().unwrap_or(0) } else { 0 };
         let mut rows = Vec::with_capacity(mesh.ids.len());
         for (local, &id) in mesh.ids.iter().enumerate() {
             // A table keeps the last of equal labels: an earlier one was given again.
             let last = lookup.row(id).unwrap_or(local);
+            let Place { source, at } = mesh.places[last];
+            let place = || (sources[source].path().to_path_buf(), sources[source].line_of(at));
             if last != local {
                 if mesh.positions[last] != mesh.positions[local] {
-                    let Place { source, at } = mesh.places[last];
-                    let path = sources[source].path().to_path_buf();
-                    return Err(FeError::DuplicateNode { path, line: sources[source].line_of(at), id });
+                    let (path, line) = place();
+                    return Err(ImportError::DuplicateNode { path, line, id });
                 }
                 rows.push(usize::MAX);
                 continue;
             }
+            let Some(raised) = id.checked_add(raise) else {
+                let (path, line) = place();
+                return Err(ImportError::LabelOverflow { path, line, id, raise });
+            };
             rows.push(nodes.ids.len());
-            nodes.ids.push(id + raise);
+            nodes.ids.push(raised);
             nodes.positions.push(mesh.placement.apply(mesh.positions[local]));
         }
-        placed.push(Placed { mesh, rows, lookup });
+        let new = nodes.ids.len() - rows.iter().filter(|&&row| row != usize::MAX).count();
+        taken.extend(&nodes.ids[new..]);
+        let mut labels = mesh.ids.clone();
+        labels.sort_unstable();
+        labels.dedup();
+        placed.push(Placed { mesh, labels, rows, lookup });
     }
     let elements = elements(&placed, sources, nodes.len())?;
-    nodes.sets = sets(&placed, sources, nodes.len())?;
+    nodes.sets = sets(&placed, sources)?;
     let attached = meshes.iter().any(|mesh| !mesh.elements.is_empty()).then_some(elements.attached);
-    Ok(NodeTable { nodes, elements: elements.drawable, attached, has_boundary: false })
-}
-
-impl Placed<'_> {
-    fn row(&self, label: u64) -> Option<usize> {
-        self.lookup.row(label).map(|local| self.rows[local])
-    }
+    Ok(NodeTable { nodes, elements: elements.drawable, attached, ..NodeTable::default() })
 }
 
 struct Elements {
@@ -60,7 +82,7 @@ struct Elements {
     attached: Vec<bool>,
 }
 
-fn elements(placed: &[Placed<'_>], sources: &[Source], nodes: usize) -> Result<Elements, FeError> {
+fn elements(placed: &[Placed<'_>], sources: &[Source], nodes: usize) -> Result<Elements, ImportError> {
     let mut drawable = Vec::new();
     let mut attached = vec![false; nodes];
     for part in placed {
@@ -83,79 +105,10 @@ fn elements(placed: &[Placed<'_>], sources: &[Source], nodes: usize) -> Result<E
     Ok(Elements { drawable, attached })
 }
 
-fn sets(
-    placed: &[Placed<'_>],
-    sources: &[Source],
-    nodes: usize,
-) -> Result<BTreeMap<String, Vec<usize>>, FeError> {
-    let several = placed.iter().filter(|part| !part.mesh.name.is_empty()).count() > 1;
-    let mut sets: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-    for part in placed {
-        for set in &part.mesh.sets {
-            let prefixed = several && !part.mesh.name.is_empty();
-            let name = if prefixed { format!("{}.{}", part.mesh.name, set.name) } else { set.name.clone() };
-            let members = members(set, part, placed, &sets, sources)?;
-            sets.entry(name).or_default().extend(members);
-        }
-    }
-    for rows in sets.values_mut() {
-        rows.sort_unstable();
-        rows.dedup();
-        debug_assert!(rows.last().is_none_or(|&row| row < nodes));
-    }
-    Ok(sets)
-}
-
-fn members(
-    set: &RawSet,
-    own: &Placed<'_>,
-    placed: &[Placed<'_>],
-    known: &BTreeMap<String, Vec<usize>>,
-    sources: &[Source],
-) -> Result<Vec<usize>, FeError> {
-    let instance = |name: &str| placed.iter().find(|part| part.mesh.name.eq_ignore_ascii_case(name));
-    let mut rows = Vec::new();
-    let first_place = set.members.first().map(|member| member.1);
-    let part = match (&set.instance, first_place) {
-        (Some(name), Some(Place { source, at })) => instance(name).ok_or_else(|| {
-            sources[source].expected(at, format!("a set of a known instance (not `{name}`)"))
-        })?,
-        _ => own,
-    };
-    for (member, place) in &set.members {
-        match member {
-            Member::Label(label) => {
-                rows.push(part.row(*label).ok_or_else(|| unknown(sources, *place, *label, part))?);
-            }
-            Member::Range(first, last, step) => {
-                // A range may name labels that do not exist: Abaqus takes those that do.
-                let inside = part.mesh.ids.iter().filter(|&id| (*first..=*last).contains(id));
-                let inside = inside.filter(|&id| (id - first) % step == 0);
-                rows.extend(inside.filter_map(|&id| part.row(id)));
-            }
-            Member::Name(name) => {
-                let in_instance = name
-                    .rsplit_once('.')
-                    .and_then(|(instance_name, label)| instance(instance_name)?.row(label.parse().ok()?));
-                let by_name =
-                    known.iter().find(|(other, _)| other.eq_ignore_ascii_case(name)).map(|(_, rows)| rows);
-                match (in_instance, by_name) {
-                    (Some(row), _) => rows.push(row),
-                    (None, Some(others)) => rows.extend(others),
-                    (None, None) => {
-                        let expected = "a node id or the name of a node set given before";
-                        return Err(sources[place.source].expected(place.at, expected));
-                    }
-                }
-            }
-        }
-    }
-    Ok(rows)
-}
-
-fn unknown(sources: &[Source], place: Place, id: u64, part: &Placed<'_>) -> FeError {
+/// A label that no node of its part has.
+pub(super) fn unknown(sources: &[Source], place: Place, id: u64, part: &Placed<'_>) -> ImportError {
     let source = &sources[place.source];
-    FeError::UnknownNode {
+    ImportError::UnknownNode {
         path: source.path().to_path_buf(),
         line: source.line_of(place.at),
         id,

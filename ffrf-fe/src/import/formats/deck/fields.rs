@@ -3,6 +3,7 @@
 use super::keyword::Keyword;
 use super::mesh::Member;
 use crate::ElementKind;
+use crate::import::nodes::TroubleKind;
 use crate::import::text::cursor::Cursor;
 
 /// The comma-separated fields of one line, empty ones left out.
@@ -63,6 +64,15 @@ pub(super) fn element_kind(name: &str) -> Option<(ElementKind, usize)> {
         "8" => Some((ElementKind::Hexahedron8, 8)),
         "10" => Some((ElementKind::Tetrahedron10, 10)),
         "20" => Some((ElementKind::Hexahedron20, 20)),
+        _ => None,
+    }
+}
+
+/// What is known against an element type, given in upper case. Source: docs/export/calculix.md, measured.
+pub(super) fn element_trouble(name: &str) -> Option<TroubleKind> {
+    match name {
+        "C3D8I" => Some(TroubleKind::InternalNodes),
+        "C3D20R" => Some(TroubleKind::SingularMass),
         _ => None,
     }
 }

@@ -21,6 +21,14 @@ pub(super) struct Mesh {
     pub(super) placement: Placement,
 }
 
+impl Mesh {
+    /// Nodes, elements and set members: what a copy costs.
+    pub(super) fn items(&self) -> usize {
+        let members: usize = self.sets.iter().map(|set| 1 + set.members.len()).sum();
+        1 + self.ids.len() + self.elements.len() + members
+    }
+}
+
 /// A place in one of the files of the deck.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Place {

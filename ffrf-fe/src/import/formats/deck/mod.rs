@@ -5,23 +5,25 @@
 mod assemble;
 mod fields;
 mod keyword;
+mod limits;
 mod mesh;
 mod reader;
+mod sets;
 
 use std::path::Path;
 
-use crate::FeError;
+use crate::import::ImportError;
 use crate::import::nodes::NodeTable;
 use crate::import::text::source::Source;
 
 /// Reads a deck and the files it includes.
-pub(crate) fn read(path: &Path) -> Result<(NodeTable, Vec<Source>), FeError> {
-    let reader::Deck { meshes, sources, has_boundary } = reader::read(path)?;
-    let table = assemble::assemble(meshes, &sources)?;
+pub(crate) fn read(path: &Path, inflated_limit: u64) -> Result<(NodeTable, Vec<Source>), ImportError> {
+    let reader::Deck { meshes, sources, has_boundary, troubles } = reader::read(path, inflated_limit)?;
+    let table = assemble::assemble(&meshes, &sources)?;
     let Some(first) = sources.first() else {
-        return Err(FeError::NoNodes { path: path.to_path_buf() });
+        return Err(ImportError::NoNodes { path: path.to_path_buf() });
     };
-    let table = NodeTable { has_boundary, ..table }.check_size(first)?;
+    let table = NodeTable { has_boundary, troubles, ..table }.check_size(first)?;
     Ok((table, sources))
 }
 

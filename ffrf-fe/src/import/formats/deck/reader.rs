@@ -2,15 +2,16 @@
 
 use std::path::Path;
 
-use super::fields::{element_kind, keyword_at, line_fields, set_members};
+use super::fields::{element_kind, element_trouble, keyword_at, line_fields, set_members};
 use super::keyword::Keyword;
+use super::limits;
 use super::mesh::{Member, Mesh, Place, Placement, RawElement, RawSet};
+use crate::ElementKind;
+use crate::import::ImportError;
+use crate::import::nodes::ElementTrouble;
+use crate::import::text::compressed::stored_path;
 use crate::import::text::cursor::Cursor;
 use crate::import::text::source::Source;
-use crate::{ElementKind, FeError};
-
-/// Files that include files that include files: more than this is a circle.
-const INCLUDE_DEPTH: usize = 8;
 
 /// What a deck holds.
 #[derive(Debug)]
@@ -19,6 +20,7 @@ pub(super) struct Deck {
     pub(super) meshes: Vec<Mesh>,
     pub(super) sources: Vec<Source>,
     pub(super) has_boundary: bool,
+    pub(super) troubles: Vec<ElementTrouble>,
 }
 
 /// What the data lines after a keyword mean.
@@ -40,25 +42,36 @@ struct Reader {
     open: Option<Mesh>,
     sources: Vec<Source>,
     has_boundary: bool,
+    troubles: Vec<ElementTrouble>,
+    /// Numbers of the files that are being read, each included by the one before.
+    within: Vec<usize>,
+    /// Times that a file was included.
+    includes: usize,
+    /// Bytes of files that had been read before.
+    repeated_bytes: usize,
+    /// Nodes, and what instances copy.
+    items: usize,
+    inflated_limit: u64,
 }
 
-pub(super) fn read(path: &Path) -> Result<Deck, FeError> {
-    let mut reader = Reader::default();
-    reader.file(path, 0)?;
+pub(super) fn read(path: &Path, inflated_limit: u64) -> Result<Deck, ImportError> {
+    let mut reader = Reader { inflated_limit, ..Reader::default() };
+    reader.sources.push(Source::read(path, inflated_limit)?);
+    reader.file(0)?;
     // A part without instance stands for itself.
     let mut meshes = if reader.instances.is_empty() { reader.parts } else { reader.instances };
     meshes.push(reader.root);
-    Ok(Deck { meshes, sources: reader.sources, has_boundary: reader.has_boundary })
+    let Reader { sources, has_boundary, troubles, .. } = reader;
+    Ok(Deck { meshes, sources, has_boundary, troubles })
 }
 
 impl Reader {
-    fn file(&mut self, path: &Path, depth: usize) -> Result<(), FeError> {
-        let source = Source::read(path)?;
-        let number = self.sources.len();
-        self.sources.push(source);
-        // The bytes are copied once so that `self` stays free; decks are small beside their matrices.
-        let bytes = self.sources[number].bytes().to_vec();
-        let mut cursor = Cursor::new(&bytes, 0);
+    /// Reads the file of this number.
+    fn file(&mut self, number: usize) -> Result<(), ImportError> {
+        self.within.push(number);
+        let content = self.sources[number].content();
+        let bytes = content.bytes();
+        let mut cursor = Cursor::new(bytes, 0);
         let mut data = Data::Skip;
         let mut element: Option<RawElement> = None;
         while cursor.at < bytes.len() {
@@ -69,25 +82,69 @@ impl Reader {
                 cursor.next_line();
             } else if rest.starts_with(b"*") {
                 self.refuse_short_element(element.take())?;
-                let keyword = keyword_at(&bytes, &mut cursor);
+                let keyword = keyword_at(bytes, &mut cursor);
                 if keyword.name == "INCLUDE" {
-                    let input = keyword.get("INPUT").unwrap_or_default();
-                    let included = path.parent().unwrap_or(Path::new("")).join(input);
-                    if depth == INCLUDE_DEPTH {
-                        let expected = format!("at most {INCLUDE_DEPTH} files included in each other");
-                        return Err(self.sources[number].expected(place.at, expected));
-                    }
-                    self.file(&included, depth + 1)?;
+                    self.include(keyword.get("INPUT").unwrap_or_default(), place)?;
                     data = Data::Skip;
                 } else {
                     data = self.keyword(&keyword, place)?;
                 }
             } else {
-                self.data_line(&mut data, &mut element, &bytes, &mut cursor, place)?;
+                self.data_line(&mut data, &mut element, bytes, &mut cursor, place)?;
                 cursor.next_line();
             }
         }
+        self.within.pop();
         self.refuse_short_element(element)
+    }
+
+    /// Reads a file that a line of another names, relative to the folder of that one.
+    fn include(&mut self, input: &str, place: Place) -> Result<(), ImportError> {
+        let source = &self.sources[place.source];
+        limits::at_most(
+            limits::INCLUDE_DEPTH,
+            self.within.len(),
+            "files included in each other",
+            source,
+            place.at,
+        )?;
+        self.includes += 1;
+        limits::at_most(limits::INCLUDES, self.includes, "included files", source, place.at)?;
+        let path = source.path().parent().unwrap_or(Path::new("")).join(input);
+        let known = self.sources.iter().position(|known| known.path() == stored_path(&path));
+        match known {
+            Some(number) if self.within.contains(&number) => {
+                Err(source.expected(place.at, format!("a file that does not include itself (not `{input}`)")))
+            }
+            Some(number) => {
+                self.repeated_bytes += self.sources[number].bytes().len();
+                let what = "bytes of files included again";
+                limits::at_most(limits::REPEATED_BYTES, self.repeated_bytes, what, source, place.at)?;
+                self.file(number)
+            }
+            None => {
+                self.sources.push(Source::read(&path, self.inflated_limit)?);
+                self.file(self.sources.len() - 1)
+            }
+        }
+    }
+
+    /// Counts nodes, and what an instance copies of its part.
+    fn count(&mut self, more: usize, place: Place) -> Result<(), ImportError> {
+        self.items = self.items.saturating_add(more);
+        let what = "nodes, elements and set members of all instances";
+        limits::at_most(limits::MESH_ITEMS, self.items, what, &self.sources[place.source], place.at)
+    }
+
+    /// Notes the first elements of a type that makes trouble.
+    fn note_trouble(&mut self, element: &str, place: Place) {
+        let element = element.to_uppercase();
+        let Some(kind) = element_trouble(&element) else { return };
+        if self.troubles.iter().all(|known| known.element != element) {
+            let source = &self.sources[place.source];
+            let (path, line) = (source.path().to_path_buf(), source.line_of(place.at));
+            self.troubles.push(ElementTrouble { element, path, line, kind });
+        }
     }
 
     fn mesh(&mut self) -> &mut Mesh {
@@ -95,10 +152,10 @@ impl Reader {
     }
 
     /// Acts on a keyword and says what its data lines are.
-    fn keyword(&mut self, keyword: &Keyword, place: Place) -> Result<Data, FeError> {
+    fn keyword(&mut self, keyword: &Keyword, place: Place) -> Result<Data, ImportError> {
         let unsupported = |sources: &[Source], advice| {
             let source = &sources[place.source];
-            Err(FeError::Unsupported {
+            Err(ImportError::Unsupported {
                 path: source.path().to_path_buf(),
                 line: source.line_of(place.at),
                 feature: format!("*{}", keyword.name),
@@ -123,6 +180,7 @@ impl Reader {
                     let expected = format!("an instance of a part defined before (not `{part}`)");
                     return Err(self.sources[place.source].expected(place.at, expected));
                 };
+                self.count(mesh.items(), place)?;
                 self.open = Some(Mesh { name, ..mesh });
                 Data::Placement { lines: 0 }
             }
@@ -140,7 +198,11 @@ impl Reader {
                 return unsupported(&self.sources, "write all nodes out with *NODE in the global system");
             }
             "NODE" => Data::Nodes { set: keyword.get("NSET").map(str::to_owned) },
-            "ELEMENT" => Data::Elements { kind: element_kind(keyword.get("TYPE").unwrap_or_default()) },
+            "ELEMENT" => {
+                let name = keyword.get("TYPE").unwrap_or_default();
+                self.note_trouble(name, place);
+                Data::Elements { kind: element_kind(name) }
+            }
             // A set made of element sets is left out: asking for it later names it as unknown.
             "NSET" if !keyword.has("ELSET") => {
                 let name = keyword.get("NSET").unwrap_or_default().to_owned();
@@ -163,7 +225,7 @@ impl Reader {
         bytes: &[u8],
         cursor: &mut Cursor<'_>,
         place: Place,
-    ) -> Result<(), FeError> {
+    ) -> Result<(), ImportError> {
         let number = place.source;
         match data {
             Data::Skip => Ok(()),
@@ -171,6 +233,7 @@ impl Reader {
                 let line = "`id, x, y, z`";
                 let read = read_node(cursor, line);
                 let (id, position) = read.map_err(|defect| self.sources[number].defect(&defect, 0))?;
+                self.count(1, place)?;
                 let mesh = self.mesh();
                 mesh.ids.push(id);
                 mesh.positions.push(position);
@@ -254,7 +317,7 @@ impl Reader {
     }
 
     /// An element that a keyword or the end of the file interrupts.
-    fn refuse_short_element(&mut self, element: Option<RawElement>) -> Result<(), FeError> {
+    fn refuse_short_element(&mut self, element: Option<RawElement>) -> Result<(), ImportError> {
         match element {
             Some(RawElement { kind: Some(_), nodes, place }) => {
                 let expected = format!("an element with all its nodes (only {} given)", nodes.len());

@@ -3,14 +3,15 @@
 use std::path::PathBuf;
 
 use super::read;
+use crate::import::ImportError;
 use crate::import::nodes::NodeTable;
-use crate::{Element, ElementKind, FeError};
+use crate::{Element, ElementKind};
 
-fn deck(text: &str) -> Result<NodeTable, FeError> {
+fn deck(text: &str) -> Result<NodeTable, ImportError> {
     let folder = tempfile::tempdir().unwrap();
     let path: PathBuf = folder.path().join("part.inp");
     std::fs::write(&path, text).unwrap();
-    read(&path).map(|(table, _)| table)
+    read(&path, 0).map(|(table, _)| table)
 }
 
 #[test]
@@ -85,9 +86,9 @@ fn included_files_are_read_and_listed() {
     std::fs::write(folder.path().join("mesh.inp"), "*NODE\n1,0,0,0\n2,1,0,0\n").unwrap();
     let path = folder.path().join("part.inp");
     std::fs::write(&path, "*INCLUDE, INPUT=mesh.inp\n*NSET, NSET=a\n2\n").unwrap();
-    let (table, sources) = read(&path).unwrap();
+    let (table, sources) = read(&path, 0).unwrap();
     assert_eq!(table.nodes.sets["a"], [1]);
     assert_eq!(sources.len(), 2);
     std::fs::write(&path, "*INCLUDE, INPUT=part.inp\n").unwrap();
-    assert!(read(&path).unwrap_err().to_string().contains("8 files"));
+    assert!(read(&path, 0).unwrap_err().to_string().contains("does not include itself (not `part.inp`)"));
 }
