@@ -14,26 +14,22 @@ mod general_m2;
 #[rustfmt::skip]
 #[path = "golden/generic_m2.rs"]
 mod generic_m2;
-#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
 #[rustfmt::skip]
 #[path = "golden/normalised_m3.rs"]
 mod normalised_m3;
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
 #[rustfmt::skip]
 #[path = "golden/rigid.rs"]
 mod rigid;
 #[rustfmt::skip]
 #[path = "golden/single_m3.rs"]
 mod single_m3;
-#[path = "golden/witness.rs"]
-mod witness;
 
 use std::path::Path;
 
 use bodies::all;
 use ffrf_codegen::{Kernels, generate};
+use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::witness;
 
 /// Set to rewrite the committed files.
 const UPDATE: &str = "FFRF_UPDATE_GOLDEN";
@@ -57,7 +53,7 @@ fn committed_code_is_what_the_generator_prints() {
         }
     }
     // The model that tests/macro_bodies.rs names.
-    let model = random_body::random_body(11, 4, random_body::Modes::Random);
+    let model = random_body(11, 4, Modes::Random);
     let path = folder.join("../models/random_m4.ffrf.json");
     if ffrf_model::ReducedBody::read(&path).ok().as_ref() != Some(&model) {
         stale.push("random_m4");

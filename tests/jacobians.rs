@@ -10,9 +10,6 @@ mod dual;
 #[rustfmt::skip]
 #[path = "golden/jacobians_m2.rs"]
 mod jacobians_m2;
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-#[allow(dead_code)]
-mod random_body;
 
 use dual::Dual;
 use ffrf::nalgebra::{SMatrix, SVector, Vector2, Vector3};
@@ -20,7 +17,7 @@ use ffrf::{FlexibleBodyJacobians, flexible_body};
 use ffrf_codegen::formulate::KernelKind;
 use ffrf_codegen::{GenerateOptions, KernelInput, Kernels};
 use ffrf_model::ReducedBody;
-use random_body::Random;
+use ffrf_test_kit::random::Random;
 
 /// Through mass matrices with condition numbers below 1e4, as in the committed bodies' own test.
 const SOLVED: f64 = 1e-10;
@@ -117,6 +114,6 @@ flexible_body! {
 #[test]
 fn jacobians_made_by_the_macro_agree_with_dual_numbers() {
     let body = ReducedBody::read(concat!(env!("CARGO_MANIFEST_DIR"), "/models/conrod.ffrf.json")).unwrap();
-    let options = GenerateOptions { modes: Some(2), ..GenerateOptions::default() };
+    let options = GenerateOptions { modes: Some(2.into()), ..GenerateOptions::default() };
     check(&ConnectingRod, &Kernels::formulate(&body, &options).unwrap());
 }

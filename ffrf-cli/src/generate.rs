@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use anyhow::{Context, Result, bail};
 use ffrf_codegen::{GenerateOptions, Strategy};
-use ffrf_model::ReducedBody;
+use ffrf_model::{ModeSelection, ReducedBody};
 
 use crate::arguments::Generate;
 use crate::output;
@@ -21,16 +21,19 @@ pub fn run(arguments: &Generate) -> Result<()> {
         layout_tolerance: arguments.layout_tolerance,
         ..GenerateOptions::default()
     };
-    let code = match (&arguments.model, &arguments.layout, arguments.modes) {
+    let code = match (&arguments.model, &arguments.layout, &arguments.modes) {
         (Some(model), _, modes) => {
             let body = ReducedBody::read(model)?;
             let source_name = model.file_name().map(|name| name.to_string_lossy().into_owned());
             options.source_name = source_name.unwrap_or_default();
-            options.modes = modes;
+            options.modes = modes.clone();
             ffrf_codegen::generate(&body, &options).with_context(|| format!("{}", model.display()))?
         }
-        (None, Some(layout), Some(modes)) => {
-            ffrf_codegen::generate_with_layout(modes, layout, &options).context("--layout")?
+        (None, Some(layout), Some(ModeSelection::First(modes))) => {
+            ffrf_codegen::generate_with_layout(*modes, layout, &options).context("--layout")?
+        }
+        (None, Some(_), Some(modes)) => {
+            bail!("--modes {modes}: with --layout, the number of modes is expected")
         }
         (None, ..) => bail!("no invariants: give a model, or --layout and --modes"),
     };

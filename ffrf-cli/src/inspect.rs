@@ -9,14 +9,17 @@ use crate::{describe, generate};
 
 /// Runs the command.
 pub fn run(arguments: &Inspect) -> Result<()> {
-    let mut body = ReducedBody::read(&arguments.model)?;
-    if let Some(count) = arguments.modes {
-        body = body.with_modes(count).with_context(|| format!("{}", arguments.model.display()))?;
+    let (mut body, mut checks) = ReducedBody::read_with_report(&arguments.model)?;
+    if let Some(selection) = &arguments.modes {
+        body =
+            body.with_selected_modes(selection).with_context(|| format!("{}", arguments.model.display()))?;
+        checks = body.check()?;
     }
-    let checks = body.check()?;
     println!("{}", describe::body(&body));
     println!("{}", describe::mode_table(&body));
     println!("{}", describe::checks(&checks));
+    // What is wrong is shown above; the generator takes no such body.
+    checks.verdict().with_context(|| format!("{}", arguments.model.display()))?;
     let options = GenerateOptions {
         fidelity: arguments.fidelity.clone(),
         layout_tolerance: arguments.layout_tolerance,
@@ -26,5 +29,5 @@ pub fn run(arguments: &Inspect) -> Result<()> {
         "{}",
         generate::account(&body, &options).with_context(|| format!("{}", arguments.model.display()))?
     );
-    checks.verdict().with_context(|| format!("{}", arguments.model.display()))
+    Ok(())
 }

@@ -6,7 +6,8 @@ use ffrf_model::ModelError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CodegenError {
-    /// The body's lists do not fit together, a number is not finite, or there are too few modes.
+    /// The body's lists do not fit together, a number is not finite, the checks of the body fail, or there are too few
+    /// modes.
     #[error(transparent)]
     Model(#[from] ModelError),
     /// The layout tolerance must be a small relative number.
@@ -85,8 +86,22 @@ pub enum CodegenError {
         /// What is round-off.
         expected: f64,
     },
+    /// A number of the body is too large for the scalar type.
+    #[error(
+        "{field}: {found:e} is not finite in {scalar}: use f64, or units in which the numbers are smaller"
+    )]
+    TooLarge {
+        /// Full path of the field.
+        field: String,
+        /// The number.
+        found: f64,
+        /// Name of the scalar type.
+        scalar: &'static str,
+    },
     /// A constant of a kernel is not finite.
-    #[error("{kernel}: node {node} is the constant {found}, expected a finite number")]
+    #[error(
+        "{kernel}: node {node} is the constant {found:e}, expected a number that is finite in the scalar type of the body"
+    )]
     NotFinite {
         /// Name of the kernel.
         kernel: &'static str,

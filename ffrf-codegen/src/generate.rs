@@ -13,7 +13,7 @@ use crate::layout::{Layout, found};
 use crate::passes;
 use crate::report::{KernelReport, Report, Source};
 use crate::validate::ValidKernel;
-use crate::{CodegenError, GenerateOptions};
+use crate::{CodegenError, GenerateOptions, ScalarType};
 
 /// A generated body.
 #[derive(Debug, Clone)]
@@ -113,10 +113,21 @@ pub(crate) fn prepare(body: &ReducedBody, options: &GenerateOptions) -> Result<R
         return Err(CodegenError::LayoutTolerance { found: tolerance });
     }
     check_name(&options.name)?;
-    body.check_shape()?;
-    match options.modes {
-        Some(count) => Ok(body.with_modes(count)?),
-        None => Ok(body.clone()),
+    let body = match &options.modes {
+        Some(selection) => body.with_selected_modes(selection)?,
+        None => body.clone(),
+    };
+    // What was read from a file has been checked; what was built by hand, and what a selection leaves, has not.
+    body.check()?.verdict()?;
+    check_numbers(&body, options.scalar)?;
+    Ok(body)
+}
+
+/// Every number of the body is finite in the scalar type of its constants.
+fn check_numbers(body: &ReducedBody, scalar: ScalarType) -> Result<(), CodegenError> {
+    match body.find_number(|number| !scalar.is_finite(number)) {
+        Some((field, found)) => Err(CodegenError::TooLarge { field, found, scalar: scalar.name() }),
+        None => Ok(()),
     }
 }
 

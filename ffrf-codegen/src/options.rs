@@ -1,5 +1,7 @@
 //! What the user may choose when generating a body.
 
+use ffrf_model::ModeSelection;
+
 use crate::fidelity::Fidelity;
 
 /// The scalar type of a generated body.
@@ -146,8 +148,8 @@ pub struct GenerateOptions {
     pub attributes: Vec<String>,
     /// File name of the model for the banner, without its folder.
     pub source_name: String,
-    /// How many modes to use; all of them if `None`.
-    pub modes: Option<usize>,
+    /// Which modes to use; all of them if `None`.
+    pub modes: Option<ModeSelection>,
     /// Scalar type of all kernels.
     pub scalar: ScalarType,
     /// Which terms of the kinetic energy are kept.

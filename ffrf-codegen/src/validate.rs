@@ -100,7 +100,10 @@ mod tests {
     #[test]
     fn constants_that_are_not_finite_are_refused() {
         let error = energy(|graph| vec![graph.constant(f64::INFINITY)]).unwrap_err();
-        assert_eq!(error, "elastic_energy: node 0 is the constant inf, expected a finite number");
+        assert_eq!(
+            error,
+            "elastic_energy: node 0 is the constant inf, expected a number that is finite in the scalar type of the body"
+        );
     }
 
     #[test]

@@ -55,10 +55,19 @@ fn from_model(
     let model = ReducedBody::from_json(&text).map_err(|error| at_model(format!("`{relative}`: {error}")))?;
     options.source_name = file_name(&file);
     generate(&model, options).map_err(|error| {
-        let too_few = matches!(error, CodegenError::Model(ModelError::TooFewModes { .. }));
-        let span = modes.filter(|_| too_few).unwrap_or_else(|| path.span());
+        let span = modes.filter(|_| blames_selection(&error)).unwrap_or_else(|| path.span());
         syn::Error::new(span, format!("`{relative}`: {error}"))
     })
+}
+
+/// Whether the modes were asked for that the model does not have.
+fn blames_selection(error: &CodegenError) -> bool {
+    matches!(
+        error,
+        CodegenError::Model(
+            ModelError::TooFewModes { .. } | ModelError::NoSuchMode { .. } | ModelError::RepeatedMode { .. }
+        )
+    )
 }
 
 fn file_name(path: &Path) -> String {
@@ -95,13 +104,9 @@ fn with_users_name(tokens: TokenStream, name: &Ident) -> TokenStream {
 }
 
 #[cfg(test)]
-#[allow(dead_code)] // the flags are the command line's
-#[path = "../../tests/support/doors.rs"]
-mod doors;
-
-#[cfg(test)]
 mod tests {
     use ffrf_codegen::GenerateOptions;
+    use ffrf_test_kit::doors;
 
     use super::*;
 
@@ -119,7 +124,7 @@ mod tests {
             name: "Part".to_owned(),
             attributes: vec!["/// A body.".to_owned()],
             source_name: "random_m4.ffrf.json".to_owned(),
-            modes: Some(3),
+            modes: Some(3.into()),
             ..GenerateOptions::default()
         };
         let printed: TokenStream = generate(&model, &options).unwrap().text.parse().unwrap();

@@ -16,7 +16,7 @@ use proc_macro::TokenStream;
 ///     /// Rotor with disc.
 ///     pub struct Rotor {
 ///         model: "models/rotor.ffrf.json",   // relative to the folder of Cargo.toml
-///         modes: ..8,                        // optional: use the first 8 modes only
+///         modes: ..8,                        // optional: the first 8 modes only, or 2..5, or [0, 2, 5] (from 0)
 ///         scalar: f64,                       // optional: f64 (default), f32 or generic
 ///         fidelity: full,                    // optional: rigid, constant, linear, full, or a list of energy terms
 ///         jacobians: true,                   // optional: implement ffrf::FlexibleBodyJacobians as well
@@ -28,7 +28,8 @@ use proc_macro::TokenStream;
 /// ```
 ///
 /// The result is a unit struct that implements `ffrf::FlexibleBody<M, N, scalar>`, with a constant for each marker
-/// of the model. When the model file changes, the crate is rebuilt.
+/// of the model. When the model file changes, the crate is rebuilt. A model that fails its consistency checks is an error
+/// at the path: see `ffrf_model::ReducedBody::check`.
 ///
 /// With `scalar: generic` it implements that trait for every real number type of nalgebra: f64, f32, and dual numbers
 /// such as those of the crate num-dual, through which kernels and whole simulations can be differentiated. Constants

@@ -17,7 +17,7 @@ pub(crate) struct Request {
 
 /// Where the invariants come from.
 pub(crate) enum Source {
-    /// A model file; the place where the number of modes stands, if it does.
+    /// A model file; the place where the choice of modes stands, if it does.
     Model { path: LitStr, modes: Option<Span> },
     /// Run time.
     Layout { mode_count: usize, layout: Layout, span: Span },
@@ -104,7 +104,7 @@ fn model_source(
     options: &mut GenerateOptions,
     mistakes: &mut Mistakes,
 ) -> Option<Source> {
-    options.modes = modes.and_then(|field| mistakes.keep(values::first_modes(field)));
+    options.modes = modes.and_then(|field| mistakes.keep(values::mode_selection(field)));
     let path = mistakes.keep(values::model(model))?;
     Some(Source::Model { path, modes: modes.map(|field| field.span) })
 }

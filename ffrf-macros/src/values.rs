@@ -2,6 +2,7 @@
 
 use ffrf_codegen::layout::{Layout, Structure};
 use ffrf_codegen::{CodegenError, Fidelity, FusedMultiplyAdd, ScalarType, Strategy};
+use ffrf_model::ModeSelection;
 use proc_macro2::Span;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token};
@@ -76,11 +77,25 @@ pub(crate) fn jacobians(field: &Field) -> syn::Result<bool> {
     value_of(field, "true or false", <LitBool as Parse>::parse).map(|wanted| wanted.value)
 }
 
-/// `..8` with a model.
-pub(crate) fn first_modes(field: &Field) -> syn::Result<usize> {
-    value_of(field, "`..8` to use the first 8 modes of the model", |input: ParseStream<'_>| {
+/// `..8`, `2..5` or `[0, 2, 5]` with a model.
+pub(crate) fn mode_selection(field: &Field) -> syn::Result<ModeSelection> {
+    let expected = "`..8` for the first 8 modes of the model, a range `2..5` or a list `[0, 2, 5]` (from 0)";
+    let number = |input: ParseStream<'_>| input.parse::<LitInt>()?.base10_parse::<usize>();
+    value_of(field, expected, |input: ParseStream<'_>| {
+        if input.peek(syn::token::Bracket) {
+            let content;
+            syn::bracketed!(content in input);
+            let indices = content.parse_terminated(number, Token![,])?;
+            return Ok(ModeSelection::Listed(indices.into_iter().collect()));
+        }
+        let start = if input.peek(Token![..]) { None } else { Some(number(input)?) };
         input.parse::<Token![..]>()?;
-        input.parse::<LitInt>()?.base10_parse()
+        let end = number(input)?;
+        match start {
+            None => Ok(ModeSelection::First(end)),
+            Some(start) if start < end => Ok(ModeSelection::Range(start, end)),
+            Some(_) => Err(input.error("an empty range")),
+        }
     })
 }
 

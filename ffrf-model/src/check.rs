@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use crate::eigenvalues::{schur_complement, smallest_eigenvalue, to_unit_diagonal};
+use crate::eigenvalues::smallest_eigenvalue;
+use crate::independence::{Independence, dependent_modes, independence};
 use crate::tolerances::{INDEPENDENCE, NEGATIVE_EIGENVALUE, RIGID_PIVOT, SYMMETRY};
 use crate::{Inertia, ModelError, ReducedBody};
 
@@ -105,7 +106,7 @@ impl ReducedBody {
             gram.unwrap_or(0.0),
             Limit::AtLeast(NEGATIVE_EIGENVALUE),
         ));
-        checks.push(independence(inertia));
+        checks.push(independent_modes(inertia));
         checks.push(definiteness("smallest eigenvalue of K_ff over its largest entry", &self.stiffness));
         checks.push(definiteness("smallest eigenvalue of D_ff over its largest entry", &self.damping));
         checks.extend(marker_names(self));
@@ -198,51 +199,22 @@ fn scaled_gram_matrix(inertia: &Inertia) -> Vec<Vec<f64>> {
     gram
 }
 
-/// Smallest eigenvalue of what elimination of the rigid motion leaves of Θ_ff at q = 0, over the modal masses.
-fn independence(inertia: &Inertia) -> Check {
-    let subject = "independence of the modes from rigid motion and from each other";
-    let count = inertia.mode_count();
-    let modal_mass = inertia.modal_mass();
-    let mass_matrix = to_unit_diagonal(undeformed_mass_matrix(inertia, &modal_mass));
-    let Some(schur) = schur_complement(mass_matrix, 6, RIGID_PIVOT) else {
-        let subject = "rotational inertia of the undeformed body about its least axis, relative";
-        return Check::new(subject, 0.0, Limit::Above(RIGID_PIVOT));
-    };
-    // A body without modes has nothing that could depend on rigid motion.
-    let measured = if count == 0 { 1.0 } else { smallest_eigenvalue(schur).unwrap_or(1.0) };
-    Check::new(subject, measured, Limit::AtLeast(INDEPENDENCE))
-}
-
-/// Mass matrix at q = 0. Shape: 6 + M square. Source: (203), body-resolved.
-fn undeformed_mass_matrix(inertia: &Inertia, modal_mass: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let count = inertia.mode_count();
-    let mut matrix = vec![vec![0.0; 6 + count]; 6 + count];
-    let mut set = |row: usize, column: usize, value: f64| {
-        matrix[row][column] = value;
-        matrix[column][row] = value;
-    };
-    let tensor = inertia.inertia_tensor();
-    for i in 0..3 {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        set(i, i, inertia.mass);
-        // -m ã: entry (i, j) is m a_k, entry (i, k) is -m a_j.
-        set(i, 3 + j, inertia.first_moment[k]);
-        set(i, 3 + k, -inertia.first_moment[j]);
-        for column in 0..3 {
-            set(3 + i, 3 + column, tensor[i][column]);
+/// Independence of the modes from rigid motion and from each other; names the modes at fault.
+fn independent_modes(inertia: &Inertia) -> Check {
+    match independence(inertia) {
+        Independence::NoRotationalInertia => {
+            let subject = "rotational inertia of the undeformed body about its least axis, relative";
+            Check::new(subject, 0.0, Limit::Above(RIGID_PIVOT))
+        }
+        Independence::Measured(measured) => {
+            let subject = "independence of the modes from rigid motion and from each other";
+            let mut check = Check::new(subject, measured, Limit::AtLeast(INDEPENDENCE));
+            if !check.passed() {
+                check.subject = format!("{subject} (counted from 1, {})", dependent_modes(inertia));
+            }
+            check
         }
     }
-    for mu in 0..count {
-        let coupling = inertia.rotation_coupling(mu);
-        for i in 0..3 {
-            set(i, 6 + mu, inertia.modal_first_moment[mu][i]);
-            set(3 + i, 6 + mu, coupling[i]);
-        }
-        for nu in 0..count {
-            set(6 + mu, 6 + nu, modal_mass[mu][nu]);
-        }
-    }
-    matrix
 }
 
 fn definiteness(subject: &str, matrix: &[Vec<f64>]) -> Check {

@@ -80,6 +80,20 @@ pub enum ModelError {
         /// Number of modes M.
         available: usize,
     },
+    /// A mode was asked for that the body does not have.
+    #[error("mode {index} asked for, but the body has {available} modes, counted from 0")]
+    NoSuchMode {
+        /// Index of the mode, from 0.
+        index: usize,
+        /// Number of modes M.
+        available: usize,
+    },
+    /// A mode was asked for twice.
+    #[error("mode {index} asked for twice")]
+    RepeatedMode {
+        /// Index of the mode, from 0.
+        index: usize,
+    },
     /// The numbers contradict each other or physics.
     #[error("the body is not consistent: {}", list(failures))]
     Inconsistent {

@@ -1,67 +1,78 @@
 //! The file format `*.ffrf.json`: strict reading, bit-exact and diff-friendly writing.
 
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Deserialize;
 use serde_json::error::Category;
 
-use crate::{ModelError, ReducedBody, SCHEMA_VERSION};
+use crate::{CheckReport, ModelError, ReducedBody, SCHEMA_VERSION, write_file};
 
 impl ReducedBody {
-    /// Reads a body from JSON text.
+    /// Reads a body from JSON text: a checked body or a refusal.
     ///
     /// Strict: an unknown version, a missing, unknown or mistyped field, a number that is not finite and a
     /// list of the wrong length are errors that name the field by its full path. Every number is read to the
     /// nearest `f64`, so that reading what [`to_json`](Self::to_json) wrote gives the same bits.
     ///
-    /// Errors: [`ModelError`], all variants but `Io`, `File` and `Inconsistent`. Panics: never.
+    /// Errors: [`ModelError`], all variants but `Io` and `File`; `Inconsistent` for a body that fails its
+    /// [`check`](Self::check).
     pub fn from_json(text: &str) -> Result<Self, ModelError> {
+        let (body, report) = Self::from_json_with_report(text)?;
+        report.verdict()?;
+        Ok(body)
+    }
+
+    /// As [`from_json`](Self::from_json), but leaves the verdict of the checks to the caller: for tools that show what
+    /// is wrong with a body.
+    ///
+    /// Errors: those of [`from_json`](Self::from_json) but `Inconsistent`.
+    pub fn from_json_with_report(text: &str) -> Result<(Self, CheckReport), ModelError> {
         check_version(text)?;
         let mut reader = serde_json::Deserializer::from_str(text);
         let body: Self = serde_path_to_error::deserialize(&mut reader).map_err(field_error)?;
         reader.end().map_err(|error| syntax_error(&error))?;
-        body.check_shape()?;
-        Ok(body)
+        let report = body.check()?;
+        Ok((body, report))
     }
 
     /// Writes the body as JSON text, one row of each matrix on a line.
     ///
     /// The same body gives the same text, to the byte.
     ///
-    /// Errors: `NotFinite`, `Length`, `Version`. Panics: never.
+    /// Errors: `NotFinite`, `Length`, `Version`.
     pub fn to_json(&self) -> Result<String, ModelError> {
         self.check_shape()?;
         let pretty = serde_json::to_string_pretty(self).map_err(|error| syntax_error(&error))?;
         Ok(join_rows(&pretty))
     }
 
-    /// Reads a body from a file; see [`from_json`](Self::from_json).
+    /// Reads a body from a file: a checked body or a refusal; see [`from_json`](Self::from_json).
     ///
-    /// Errors: `Io` and `File`, which both name the file. Panics: never.
+    /// Errors: `Io` and `File`, which both name the file.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ModelError> {
         let path = path.as_ref();
-        let text = std::fs::read_to_string(path).map_err(|source| io_error(path, source))?;
-        Self::from_json(&text)
-            .map_err(|source| ModelError::File { path: path.to_path_buf(), source: Box::new(source) })
+        let (body, report) = Self::read_with_report(path)?;
+        report.verdict().map_err(|source| at_fault(path, source))?;
+        Ok(body)
     }
 
-    /// Writes the body to a file; see [`to_json`](Self::to_json).
+    /// As [`read`](Self::read), but leaves the verdict of the checks to the caller; see
+    /// [`from_json_with_report`](Self::from_json_with_report).
     ///
-    /// The text goes to a temporary file in the same folder that is then renamed, so that a reader sees the
-    /// old file or the new one, never a part; on failure nothing is left behind.
+    /// Errors: `Io` and `File`, which both name the file.
+    pub fn read_with_report(path: impl AsRef<Path>) -> Result<(Self, CheckReport), ModelError> {
+        let path = path.as_ref();
+        let text = std::fs::read_to_string(path).map_err(|source| io_error(path, source))?;
+        Self::from_json_with_report(&text).map_err(|source| at_fault(path, source))
+    }
+
+    /// Writes the body to a file by [`write_file`]; see [`to_json`](Self::to_json).
     ///
-    /// Errors: `Io`, or what [`to_json`](Self::to_json) reports. Panics: never.
+    /// Errors: `Io`, or what [`to_json`](Self::to_json) reports.
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), ModelError> {
         let path = path.as_ref();
         let text = self.to_json()?;
-        let temporary = temporary_beside(path);
-        let written = write_all(&temporary, text.as_bytes()).and_then(|()| std::fs::rename(&temporary, path));
-        written.map_err(|source| {
-            // Nothing more can be done if this fails as well; the first error is the one to report.
-            let _ = std::fs::remove_file(&temporary);
-            io_error(path, source)
-        })
+        write_file(path, text.as_bytes()).map_err(|source| io_error(path, source))
     }
 }
 
@@ -147,20 +158,10 @@ fn is_scalar_line(line: &str) -> bool {
     !line.trim_start().starts_with(['[', '{'])
 }
 
+fn at_fault(path: &Path, source: ModelError) -> ModelError {
+    ModelError::File { path: path.to_path_buf(), source: Box::new(source) }
+}
+
 fn io_error(path: &Path, source: std::io::Error) -> ModelError {
     ModelError::Io { path: path.to_path_buf(), source }
-}
-
-/// A name in the same folder, so that renaming does not cross file systems.
-fn temporary_beside(path: &Path) -> PathBuf {
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name().unwrap_or_default());
-    name.push(format!(".{}.tmp", std::process::id()));
-    path.with_file_name(name)
-}
-
-fn write_all(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut file = std::fs::File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
 }

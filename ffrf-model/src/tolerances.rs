@@ -21,3 +21,8 @@ pub(crate) const INDEPENDENCE: f64 = 1e-10;
 /// Least pivot of the rigid-body block scaled to a unit diagonal, below which the body has no inertia about
 /// some axis (all mass on a line, or in a point): round-off of the elimination is 1e-15.
 pub(crate) const RIGID_PIVOT: f64 = 1e-13;
+
+/// Least share of a mode, both of unit modal mass, from which a message names it as part of a combination.
+///
+/// Modes that are accepted have a condition of up to 1e10, so that shares carry errors of up to 1e-6.
+pub(crate) const PARTICIPATION: f64 = 1e-3;

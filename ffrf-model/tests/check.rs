@@ -93,6 +93,7 @@ fn a_mode_that_is_a_rigid_motion_is_seen() {
     let mut body = sample::body(2);
     body.inertia = sample::inertia(&points);
     assert_fails(&body, "independence of the modes from rigid motion");
+    assert_fails(&body, "(counted from 1, mode 2 is a rigid motion)");
 }
 
 #[test]
@@ -103,7 +104,60 @@ fn equal_modes_are_seen() {
     }
     let mut body = sample::body(2);
     body.inertia = sample::inertia(&points);
-    assert_fails(&body, "from each other");
+    assert_fails(&body, "from each other (counted from 1, mode 2 repeats mode 1)");
+}
+
+#[test]
+fn every_dependent_mode_is_named_with_what_it_repeats() {
+    let mut points = sample::points(9);
+    for point in &mut points {
+        let [x, y, z] = point.position;
+        // Mode 4 of modes 1 and 3; mode 6 of a rotation and mode 2; mode 8 is a translation; mode 9 does not move.
+        point.shapes[3] = [0, 1, 2].map(|i| point.shapes[0][i] - 2.0 * point.shapes[2][i]);
+        point.shapes[5] = [0, 1, 2].map(|i| [-y, x, 0.0 * z][i] + point.shapes[1][i]);
+        point.shapes[7] = [0.0, 1e-3, 0.0];
+        point.shapes[8] = [0.0; 3];
+    }
+    let mut body = sample::body(9);
+    body.inertia = sample::inertia(&points);
+    let expected = "(counted from 1, mode 4 is a combination of modes 1, 3; mode 6 is a combination of rigid motion and \
+                    mode 2; mode 8 is a rigid motion; mode 9 moves no mass)";
+    assert_fails(&body, expected);
+}
+
+#[test]
+fn long_lists_of_dependent_modes_are_cut() {
+    let mut points = sample::points(20);
+    for point in &mut points {
+        for mu in 10..20 {
+            point.shapes[mu] = point.shapes[mu - 10];
+        }
+    }
+    let mut body = sample::body(20);
+    body.inertia = sample::inertia(&points);
+    assert_fails(&body, "mode 16 repeats mode 6; and modes 17, 18, 19, 20)");
+}
+
+#[test]
+fn modes_that_are_dependent_only_together_are_named() {
+    // Modes 3 and 4 are made of the first two and a share of their own. The share at which the check starts to fail
+    // leaves each by itself enough, but not both together.
+    let failure = |share: f64| {
+        let mut points = sample::points(4);
+        for point in &mut points {
+            for (mu, sign) in [(2, 1.0), (3, -1.0)] {
+                let combined = |i: usize| point.shapes[0][i] + sign * point.shapes[1][i];
+                point.shapes[mu] = [0, 1, 2].map(|i| combined(i) + share * point.shapes[mu][i]);
+            }
+        }
+        let mut body = sample::body(4);
+        body.inertia = sample::inertia(&points);
+        let report = report(&body);
+        report.failures().map(ToString::to_string).next()
+    };
+    assert_eq!(failure(1e-3), None);
+    let first = (0..200).find_map(|k| failure(1e-3 * 0.95_f64.powi(k))).unwrap();
+    assert!(first.contains(" is a combination of modes 1, 2)"), "{first}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod sample;
 
-use ffrf_model::{ModelError, Vector3};
+use ffrf_model::{ModeSelection, ModelError, Vector3};
 
 fn cross(a: Vector3, b: Vector3) -> Vector3 {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -89,6 +89,35 @@ fn fewer_modes_are_the_leading_part() {
     assert_eq!(body.with_modes(4).unwrap(), body);
     let error = body.with_modes(5).unwrap_err();
     assert!(matches!(error, ModelError::TooFewModes { requested: 5, available: 4 }), "{error}");
+}
+
+#[test]
+fn selected_modes_come_in_the_order_of_the_selection() {
+    let body = sample::body(4);
+    let select = |text: &str| body.with_selected_modes(&text.parse::<ModeSelection>().unwrap());
+    assert_eq!(select("2").unwrap(), body.with_modes(2).unwrap());
+    assert_eq!(select("..2").unwrap(), body.with_modes(2).unwrap());
+    assert_eq!(select("1..3").unwrap(), select("[1, 2]").unwrap());
+    assert_eq!(select("0,1,2,3").unwrap(), body);
+    assert_eq!(select("[]").unwrap(), body.with_modes(0).unwrap());
+    let mixed = select("3,0").unwrap();
+    mixed.check().unwrap().verdict().unwrap();
+    let whole = &body.inertia.mode_mode_moment;
+    assert_eq!(mixed.inertia.mode_mode_moment, [[whole[3][3], whole[3][0]], [whole[0][3], whole[0][0]]]);
+    assert_eq!(mixed.stiffness[0], [body.stiffness[3][3], body.stiffness[3][0]]);
+    assert_eq!(mixed.markers[0].rotation.len(), 2);
+    let message = |text: &str| select(text).unwrap_err().to_string();
+    assert_eq!(message("5"), "5 modes asked for, but the body has 4");
+    assert_eq!(message("[0, 4]"), "mode 4 asked for, but the body has 4 modes, counted from 0");
+    // A range that no memory could hold is refused before it is written out.
+    assert_eq!(
+        message("0..18446744073709551615"),
+        "mode 18446744073709551614 asked for, but the body has 4 modes, counted from 0"
+    );
+    assert_eq!(message("1,2,1"), "mode 1 asked for twice");
+    for text in ["", "a", "..", "3..", "3..3", "-1", "1,,2", "[1", "[1 2]"] {
+        text.parse::<ModeSelection>().unwrap_err();
+    }
 }
 
 fn sample_leading(modes: usize) -> Vec<sample::Point> {

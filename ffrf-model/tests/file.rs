@@ -34,7 +34,7 @@ proptest! {
         for i in 0..3 {
             body.inertia.second_moment[i].copy_from_slice(&numbers[3 * i..3 * i + 3]);
         }
-        let read = ReducedBody::from_json(&body.to_json().unwrap()).unwrap();
+        let (read, _) = ReducedBody::from_json_with_report(&body.to_json().unwrap()).unwrap();
         for (row, expected) in read.inertia.second_moment.iter().zip(numbers.chunks(3)) {
             for (found, expected) in row.iter().zip(expected) {
                 prop_assert_eq!(found.to_bits(), expected.to_bits());
@@ -47,7 +47,7 @@ proptest! {
         let mut body = sample::body(1);
         let number = f64::from_bits(bits | (u64::from(negative) << 63));
         body.inertia.mass = number;
-        let read = ReducedBody::from_json(&body.to_json().unwrap()).unwrap();
+        let (read, _) = ReducedBody::from_json_with_report(&body.to_json().unwrap()).unwrap();
         prop_assert_eq!(read.inertia.mass.to_bits(), number.to_bits());
     }
 }
@@ -57,7 +57,7 @@ fn the_corners_of_the_format_survive() {
     for number in [-0.0, 0.0, f64::MIN_POSITIVE, f64::MAX, f64::MIN, 5e-324, 0.1 + 0.2, 1e22, 1e23] {
         let mut body = sample::body(1);
         body.stiffness[0][0] = number;
-        let read = ReducedBody::from_json(&body.to_json().unwrap()).unwrap();
+        let (read, _) = ReducedBody::from_json_with_report(&body.to_json().unwrap()).unwrap();
         assert_eq!(read.stiffness[0][0].to_bits(), number.to_bits(), "{number:e}");
     }
 }
@@ -169,4 +169,35 @@ fn an_error_names_the_file() {
     std::fs::write(&path, "{\"schema_version\": 2}").unwrap();
     let found = ReducedBody::read(&path).unwrap_err().to_string();
     assert!(found.contains("faulty.ffrf.json: schema_version: found 2"), "{found}");
+}
+
+#[test]
+fn a_body_that_contradicts_itself_is_not_read() {
+    let faults: [(&str, fn(&mut ReducedBody)); 6] = [
+        ("mass", |body| body.inertia.mass = 5e-324),
+        ("smallest eigenvalue of K_ff", |body| body.stiffness[1][1] = -1.0),
+        ("smallest eigenvalue of D_ff", |body| body.damping[0][0] = -0.1),
+        ("asymmetry of the stiffness", |body| body.stiffness[0][1] += 1.0),
+        ("asymmetry of the stiffness", |body| body.stiffness.swap(0, 1)),
+        ("deviation of T_νμ", |body| body.inertia.mode_mode_moment.swap(0, 1)),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("faulty.ffrf.json");
+    for (expected, fault) in faults {
+        let mut body = sample::body(2);
+        fault(&mut body);
+        body.write(&path).unwrap();
+        let error = ReducedBody::read(&path).unwrap_err().to_string();
+        assert!(error.contains("faulty.ffrf.json: the body is not consistent: "), "{error}");
+        let text = body.to_json().unwrap();
+        let error = ReducedBody::from_json(&text).unwrap_err();
+        assert!(matches!(error, ModelError::Inconsistent { .. }), "{error}");
+        if expected != "mass" {
+            assert!(error.to_string().contains(expected), "{expected}: {error}");
+        }
+        // The report is there for those who show it.
+        let (read, report) = ReducedBody::read_with_report(&path).unwrap();
+        assert_same_bits(&body, &read);
+        assert!(report.failures().count() > 0);
+    }
 }

@@ -38,6 +38,10 @@ impl FreeFreeBody {
         ::core::option::Option::Some(25.0),
     ];
 
+    /// Largest step with which the classical Runge-Kutta method of order four is stable for small motions of the
+    /// free body, from its highest frequency and its damping; infinite without either. Units: s.
+    pub const LARGEST_STABLE_STEP: f64 = 0.27719453534739313;
+
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x341cba3dcac5a8f3;
 

@@ -35,6 +35,10 @@ impl GeneralBody {
     /// Natural frequency of each mode that is an eigenmode. Units: Hz.
     pub const FREQUENCIES_HZ: [::core::option::Option<f64>; 2] = [::core::option::Option::None, ::core::option::Option::Some(12.5)];
 
+    /// Largest step with which the classical Runge-Kutta method of order four is stable for small motions of the
+    /// free body, from its highest frequency and its damping; infinite without either. Units: s.
+    pub const LARGEST_STABLE_STEP: f64 = 0.3680640231223279;
+
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x76c752e8c7d6eb38;
 

@@ -35,6 +35,10 @@ impl GenericBody {
     /// Natural frequency of each mode that is an eigenmode. Units: Hz.
     pub const FREQUENCIES_HZ: [::core::option::Option<f64>; 2] = [::core::option::Option::None, ::core::option::Option::Some(12.5)];
 
+    /// Largest step with which the classical Runge-Kutta method of order four is stable for small motions of the
+    /// free body, from its highest frequency and its damping; infinite without either. Units: s.
+    pub const LARGEST_STABLE_STEP: f64 = 0.3205526154664243;
+
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x5cb9f249fd7a8586;
 

@@ -35,6 +35,10 @@ impl RigidBody {
     /// Natural frequency of each mode that is an eigenmode. Units: Hz.
     pub const FREQUENCIES_HZ: [::core::option::Option<f64>; 0] = [];
 
+    /// Largest step with which the classical Runge-Kutta method of order four is stable for small motions of the
+    /// free body, from its highest frequency and its damping; infinite without either. Units: s.
+    pub const LARGEST_STABLE_STEP: f64 = ::core::primitive::f64::INFINITY;
+
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x85f9dd47830681f2;
 

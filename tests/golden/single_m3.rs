@@ -38,6 +38,10 @@ impl SingleBody {
         ::core::option::Option::Some(25.0),
     ];
 
+    /// Largest step with which the classical Runge-Kutta method of order four is stable for small motions of the
+    /// free body, from its highest frequency and its damping; infinite without either. Units: s.
+    pub const LARGEST_STABLE_STEP: f64 = 0.24148094049730204;
+
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0xa80de0719f9ba03d;
 

@@ -4,6 +4,7 @@ use ffrf::generated_support::lanes::{
     Dense, LaneBody, MomentStructure, MomentTable, ParameterDiagonal, ParameterMoments, Parameters,
     Symmetric, traces,
 };
+use ffrf_cli::lane_body::Bodies;
 use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
@@ -11,7 +12,6 @@ use ffrf_codegen::formulate::{State, inverse_modal_mass};
 use ffrf_codegen::lanes::LaneTables;
 use ffrf_codegen::layout::{Layout, Structure};
 
-use crate::lane_body::Bodies;
 use crate::symbolic::{Symbolic, record};
 
 /// What the kernels over lanes compute.

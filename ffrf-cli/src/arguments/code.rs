@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args};
 use ffrf_codegen::layout::Layout;
 use ffrf_codegen::{DEFAULT_LAYOUT_TOLERANCE, Fidelity, FusedMultiplyAdd, ScalarType, Strategy};
+use ffrf_model::ModeSelection;
 
 /// `ffrf inspect`
 #[derive(Debug, Args)]
@@ -13,9 +14,9 @@ pub struct Inspect {
     /// The reduced body.
     #[arg(value_name = "MODEL")]
     pub model: PathBuf,
-    /// Use the first N modes only.
-    #[arg(long, value_name = "N")]
-    pub modes: Option<usize>,
+    /// Use these modes only: the first N, a range A..B or a list A,B,C (from 0).
+    #[arg(long, value_name = "N|A..B|A,B,C")]
+    pub modes: Option<ModeSelection>,
     /// Which terms of the kinetic energy are kept: rigid, constant, linear, full, or a list of terms.
     #[arg(long, value_name = "LEVEL|TERM,TERM,...", default_value = "full")]
     pub fidelity: Fidelity,
@@ -33,9 +34,10 @@ pub struct Generate {
     /// Name of the generated type.
     #[arg(long, default_value = "Body")]
     pub name: String,
-    /// Use the first N modes of the model only; with --layout, the number of modes.
-    #[arg(long, value_name = "N")]
-    pub modes: Option<usize>,
+    /// Use these modes of the model only: the first N, a range A..B or a list A,B,C (from 0); with --layout, the
+    /// number of modes.
+    #[arg(long, value_name = "N|A..B|A,B,C")]
+    pub modes: Option<ModeSelection>,
     /// In place of a model: the invariants come at run time, with these structures. What is not named is as general
     /// as it can be.
     #[arg(
@@ -124,7 +126,9 @@ mod tests {
                 "unknown invariant `third`, expected one of: mass, first_moment",
             ),
             ("--layout damping=red --modes 2", "expected one of: zero, identity, diagonal"),
-            ("--layout damping=zero", "--modes <N>"),
+            ("--layout damping=zero", "--modes <N|A..B|A,B,C>"),
+            ("b --modes 5..2", "`5..2` has no modes"),
+            ("b --modes 1,x", "`[0, 2, 5]` for a list"),
             ("b --layout damping=zero --modes 2", "cannot be used with"),
             ("--layout damping=zero --modes 2 --layout-tolerance 0", "cannot be used with"),
             ("--modes 2", "<MODEL>"),

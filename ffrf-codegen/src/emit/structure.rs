@@ -77,6 +77,13 @@ pub(super) fn constants(
             ),
         ),
     ];
+    constants.push((
+        "LARGEST_STABLE_STEP",
+        format!(
+            "    /// Largest step with which the classical Runge-Kutta method of order four is stable for small motions of the\n    /// free body, from its highest frequency and its damping; infinite without either. Units: s.\n    {visibility}const LARGEST_STABLE_STEP: f64 = {};\n",
+            stable_step(body)
+        ),
+    ));
     if let Some(source) = &report.source {
         constants.push((
             "MODEL_FINGERPRINT",
@@ -87,4 +94,13 @@ pub(super) fn constants(
         ));
     }
     constants.into_iter().map(|(name, text)| (name.to_owned(), text)).collect()
+}
+
+/// The literal of the largest stable step; a body without positive modal masses has none, and is refused before.
+fn stable_step(body: &ReducedBody) -> String {
+    match body.largest_stable_step() {
+        Some(step) if step.is_finite() => literal(step, ScalarType::F64),
+        Some(_) => "::core::primitive::f64::INFINITY".to_owned(),
+        None => "0.0".to_owned(),
+    }
 }
