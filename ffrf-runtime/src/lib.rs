@@ -49,8 +49,8 @@ pub use body::{
 };
 pub use forces::{Frame, Gravity, Load, MarkerLoad};
 pub use integrators::{
-    Drift, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
-    step_linearly_implicit, step_rk4,
+    ControlledStep, Drift, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
+    step_dormand_prince, step_linearly_implicit, step_rk4, step_symplectic_euler, try_dormand_prince,
 };
 pub use invariants::{InvariantError, InvariantExpectation, InvariantIndex};
 pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};

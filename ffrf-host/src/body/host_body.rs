@@ -39,7 +39,7 @@ impl HostBody {
     ///
     /// The model must have passed its checks.
     pub fn new(body: &ReducedBody, fidelity: &Fidelity) -> Self {
-        let keeps = |term: EnergyTerm| fidelity.terms().any(|kept| kept == term);
+        let keeps = |term: EnergyTerm| fidelity.keeps(term);
         let when = |kept: bool, tensor: Symmetric| if kept { tensor } else { [0.0; 6] };
         let vector_when = |kept: bool, vector: Vector3<f64>| if kept { vector } else { Vector3::zeros() };
         let (inertia, modes) = (&body.inertia, body.mode_count());
@@ -80,7 +80,7 @@ impl HostBody {
             modal_mass: matrix(modes, |mu, nu| 0.5 * (trace(mu, nu) + trace(nu, mu))),
             stiffness: matrix(modes, |mu, nu| body.stiffness[mu][nu]),
             damping: matrix(modes, |mu, nu| body.damping[mu][nu]),
-            largest_stable_step: None,
+            largest_stable_step: body.largest_stable_step().filter(|step| step.is_finite()),
         }
     }
 

@@ -1,10 +1,16 @@
 //! Motions that are given as functions of time.
 
+use super::Formula;
+
 /// A function of time with its exact first and second derivative.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {
     /// Σ c_k t^k.
     Polynomial(Vec<f64>),
+    /// A formula in t.
+    Formula(Formula),
+    /// A smooth curve through given points.
+    Table(super::Table),
 }
 
 impl Drive {
@@ -19,6 +25,8 @@ impl Drive {
                     });
                 [value, rate, 2.0 * half]
             }
+            Self::Formula(formula) => formula.at(time),
+            Self::Table(table) => table.at(time),
         }
     }
 }

@@ -10,7 +10,7 @@ use ffrf_runtime::{FlexibleBody, Increment, LocalError, Marker, MarkerMotion, St
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::plan::OwnedPlan;
-use super::{Drive, HostIncrement};
+use super::{Drive, Element, HostIncrement};
 use crate::{HostBody, HostModal};
 
 /// Forces of elements and users: sees the whole mechanism.
@@ -23,6 +23,7 @@ pub struct HostMechanism {
     connections: Vec<Connection<f64>>,
     drives: Vec<Option<Drive>>,
     gravity: Vector3<f64>,
+    elements: Vec<Element>,
     forces: Option<Box<Forces>>,
     plan: OwnedPlan,
     treatment: Treatment<f64>,
@@ -59,6 +60,7 @@ impl HostMechanism {
             connections,
             drives,
             gravity,
+            elements: Vec::new(),
             forces: None,
             plan,
             treatment: Treatment::Projection { iterations: 8, tolerance: 1e-6 },
@@ -66,7 +68,14 @@ impl HostMechanism {
         })
     }
 
-    /// The same mechanism with these forces besides gravity.
+    /// The same mechanism with these force elements.
+    #[must_use]
+    pub fn with_elements(mut self, elements: Vec<Element>) -> Self {
+        self.elements = elements;
+        self
+    }
+
+    /// The same mechanism with these forces besides gravity and force elements.
     #[must_use]
     pub fn with_forces(mut self, forces: Box<Forces>) -> Self {
         self.forces = Some(forces);
@@ -78,6 +87,11 @@ impl HostMechanism {
     pub fn with_treatment(mut self, treatment: Treatment<f64>) -> Self {
         self.treatment = treatment;
         self
+    }
+
+    /// The force elements.
+    pub fn elements(&self) -> &[Element] {
+        &self.elements
     }
 
     /// The bodies.
@@ -178,6 +192,9 @@ impl Assembly<f64> for HostMechanism {
         for port in &mut ports.0 {
             port.weigh(&self.gravity);
         }
+        for element in &self.elements {
+            element.apply(ports);
+        }
         if let Some(forces) = &self.forces {
             forces(time, ports);
         }
@@ -201,6 +218,16 @@ impl Assembly<f64> for HostMechanism {
 
     fn retract(&self, origin: &Self::State, increment: &HostIncrement) -> Self::State {
         origin.iter().zip(&increment.0).map(|(state, increment)| state.retract(increment)).collect()
+    }
+
+    fn place_rates(&self, origin: &Self::State, increment: &HostIncrement) -> HostIncrement {
+        let rates =
+            origin.iter().zip(&increment.0).map(|(state, part)| part.place_rate(&state.retract(part)));
+        HostIncrement(rates.collect())
+    }
+
+    fn velocities_only(&self, increment: &HostIncrement) -> HostIncrement {
+        HostIncrement(increment.0.iter().map(Increment::velocities_only).collect())
     }
 
     fn local_error(&self, difference: &HostIncrement) -> LocalError {

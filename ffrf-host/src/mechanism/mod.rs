@@ -1,10 +1,16 @@
 //! Mechanisms of run-time size.
 
 mod drive;
+mod element;
+mod formula;
 mod host_mechanism;
 mod plan;
 mod states;
+mod table;
 
 pub use drive::Drive;
+pub use element::{Element, ElementKind};
+pub use formula::{Formula, FormulaError};
 pub use host_mechanism::{HostMechanism, HostPorts};
 pub use states::HostIncrement;
+pub use table::{Table, TableError};

@@ -1,1 +1,16 @@
-//! Scene files.
+//! Scene files: mechanisms without a compiler.
+
+mod bodies;
+mod compose;
+mod error;
+pub mod file;
+mod forces;
+mod joints;
+mod names;
+mod sensors;
+mod settings;
+
+pub use compose::Scene;
+pub use error::SceneError;
+pub use sensors::{Sensor, SensorKind};
+pub use settings::{Integrator, Settings, StepChoice};

@@ -61,6 +61,14 @@ where
         Ok(increment.rate(&state, accelerations))
     }
 
+    fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
+        increment.place_rate(&origin.retract(increment))
+    }
+
+    fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment {
+        increment.velocities_only()
+    }
+
     fn local_error(&self, difference: &Self::Increment) -> LocalError<T> {
         difference.local_error()
     }

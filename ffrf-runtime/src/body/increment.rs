@@ -58,6 +58,21 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
         self.modal_rates.scale(factor);
     }
 
+    /// The rate of the place alone when this increment has led to `state`; rates of velocities zero.
+    pub fn place_rate(&self, state: &State<V, T>) -> Self {
+        self.rate(state, Motion::zeros(&state.modal_rates))
+    }
+
+    /// The change of the velocities alone.
+    pub fn velocities_only(&self) -> Self {
+        Self {
+            position: Vector3::zeros(),
+            rotation: Vector3::zeros(),
+            modal_coordinates: self.modal_coordinates.zeros_alike(),
+            ..self.clone()
+        }
+    }
+
     /// The rate of this increment when it has led to `state`, which then has `accelerations`.
     #[inline]
     pub fn rate(&self, state: &State<V, T>, accelerations: Motion<V, T>) -> Self {

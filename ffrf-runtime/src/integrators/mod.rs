@@ -1,11 +1,15 @@
 //! Integrators, one file each, written once for every [`System`].
 
+mod dormand_prince;
 mod linearly_implicit;
 mod runge_kutta;
 mod step;
+mod symplectic_euler;
 mod system;
 
+pub use dormand_prince::{ControlledStep, step_dormand_prince, try_dormand_prince};
 pub use linearly_implicit::step_linearly_implicit;
 pub use runge_kutta::step_rk4;
 pub use step::{Drift, LocalError, StepError, StepReport, Tolerances};
+pub use symplectic_euler::step_symplectic_euler;
 pub use system::{StiffSystem, System, VectorSpace};

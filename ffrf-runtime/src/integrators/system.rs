@@ -38,6 +38,10 @@ pub trait System<T: RealField + Copy> {
         origin: &Self::State,
         increment: &Self::Increment,
     ) -> Result<Self::Increment, StepError>;
+    /// The rate of the places alone at the state that `increment` leads to: velocities, no forces; rates of velocities zero.
+    fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment;
+    /// Takes the places out of a change of the state: what is left changes velocities alone.
+    fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment;
     /// The size of `difference` by kind of coordinate: an estimate of the error of a step.
     fn local_error(&self, difference: &Self::Increment) -> LocalError<T>;
     /// The root mean square of `difference` over the tolerance of each component; below one is within tolerance.

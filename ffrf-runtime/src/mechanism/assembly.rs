@@ -69,6 +69,10 @@ pub trait Assembly<T: RealField + Copy> {
     fn no_change(&self, state: &Self::State) -> Self::Increment;
     /// The state that `increment` leads to from `origin`.
     fn retract(&self, origin: &Self::State, increment: &Self::Increment) -> Self::State;
+    /// See [`System::place_rates`].
+    fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment;
+    /// See [`System::velocities_only`].
+    fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment;
     /// See [`System::local_error`].
     fn local_error(&self, difference: &Self::Increment) -> LocalError<T>;
     /// See [`System::weighted_error`].
@@ -212,6 +216,14 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
     ) -> Result<Self::Increment, StepError> {
         let state = self.0.retract(origin, increment);
         self.evaluate(time, state, None, |ports, _, _| self.0.collect(ports, increment))
+    }
+
+    fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
+        self.0.place_rates(origin, increment)
+    }
+
+    fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment {
+        self.0.velocities_only(increment)
     }
 
     fn local_error(&self, difference: &Self::Increment) -> LocalError<T> {

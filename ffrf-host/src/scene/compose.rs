@@ -1,0 +1,131 @@
+//! From a scene file to a mechanism in its initial state.
+
+use std::path::Path;
+
+use ffrf_runtime::State;
+use ffrf_runtime::mechanism::Constrained;
+use nalgebra::Vector3;
+
+use super::file::SceneFile;
+use super::names::NamedBody;
+use super::sensors::{Sensor, sensor};
+use super::{SceneError, Settings, bodies, forces, joints};
+use crate::HostModal;
+use crate::mechanism::{Drive, Element, HostMechanism};
+
+/// A scene that can be simulated.
+pub struct Scene {
+    /// The mechanism.
+    pub mechanism: HostMechanism,
+    /// Its state at time zero, as the file has it.
+    pub initial: Vec<State<HostModal>>,
+    /// Names of the bodies.
+    pub body_names: Vec<String>,
+    /// Names of the connections: those of joints, and of their drives.
+    pub connection_names: Vec<String>,
+    /// What is measured.
+    pub sensors: Vec<Sensor>,
+    /// How it is simulated.
+    pub settings: Settings,
+}
+
+impl Scene {
+    /// Reads a scene file and everything that it names. Errors: see [`SceneError`].
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let folder = path.parent().unwrap_or_else(|| Path::new(""));
+        Self::compose(&SceneFile::read(path)?, folder)
+    }
+
+    /// Composes a scene; the files that it names are looked for in `folder`.
+    pub fn compose(file: &SceneFile, folder: &Path) -> Result<Self, SceneError> {
+        let settings = Settings::new(&file.simulation)?;
+        if file.bodies.is_empty() {
+            return Err(SceneError::value("bodies", "at least one body", "none"));
+        }
+        let (mut named, mut states): (Vec<NamedBody>, Vec<State<HostModal>>) = (Vec::new(), Vec::new());
+        for (name, table) in &file.bodies {
+            check_name("bodies", name)?;
+            let (body, state) = bodies::body(name, table, folder)?;
+            named.push(body);
+            states.push(state);
+        }
+        let mut connections: Vec<(_, Option<Drive>)> = Vec::new();
+        let (mut connection_names, mut joint_connections) = (Vec::new(), Vec::new());
+        for (name, table) in &file.joints {
+            check_name("joints", name)?;
+            let composed = joints::joint(name, table, &mut named, &states, folder)?;
+            let mut own = vec![connections.len()];
+            connections.push((composed.connection, None));
+            connection_names.push(name.clone());
+            if let Some((connection, drive)) = composed.drive {
+                own.push(connections.len());
+                connections.push((connection, Some(drive)));
+                connection_names.push(format!("{name}.drive"));
+            }
+            joint_connections.push((name.clone(), own));
+        }
+        let elements: Result<Vec<Element>, SceneError> = file
+            .forces
+            .iter()
+            .map(|(name, table)| {
+                check_name("forces", name)?;
+                forces::element(name, table, &mut named, &states)
+            })
+            .collect();
+        let elements = elements?;
+        let mut sensors = Vec::with_capacity(file.sensors.len());
+        for (name, table) in &file.sensors {
+            check_name("sensors", name)?;
+            sensors.push(sensor(name, table, &mut named, &joint_connections)?);
+        }
+        let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
+        let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
+        let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
+            .with_elements(elements)
+            .with_treatment(settings.treatment);
+        Ok(Self { mechanism, initial: states, body_names, connection_names, sensors, settings })
+    }
+
+    /// The initial state with the joints met, and how far the file's state was from them (position, velocity).
+    ///
+    /// Positions, then velocities, move as little as possible, measured by the mass matrix.
+    /// Errors: [`SceneError::NotAssembled`].
+    pub fn assembled(&self) -> Result<(Vec<State<HostModal>>, [f64; 2]), SceneError> {
+        let system = Constrained(&self.mechanism);
+        let not = |error: ffrf_runtime::StepError| match error {
+            ffrf_runtime::StepError::ConstraintsNotMet { joint, residual } => SceneError::NotAssembled {
+                joint: self.connection_names.get(joint).cloned().unwrap_or_default(),
+                residual,
+            },
+            other => SceneError::Key { key: "bodies".to_owned(), message: other.to_string() },
+        };
+        let mut state = self.initial.clone();
+        let mut first = None;
+        // each pass factors anew, so that a state far from the joints is drawn in by Newton's method
+        for _ in 0..PASSES {
+            let (next, drift) = system.project(0.0, state, None, 2, f64::MAX).map_err(not)?;
+            state = next;
+            first.get_or_insert([drift.position, drift.velocity]);
+        }
+        let (state, _) = system.project(0.0, state, None, 8, ASSEMBLED).map_err(not)?;
+        Ok((state, first.unwrap_or([0.0; 2])))
+    }
+}
+
+/// Factorisations while assembling.
+const PASSES: usize = 20;
+/// Residual of an assembled mechanism. Units: m or rad.
+const ASSEMBLED: f64 = 1e-8;
+
+/// Names become heads of columns and parts of paths.
+fn check_name(section: &str, name: &str) -> Result<(), SceneError> {
+    let fine = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-');
+    if fine && name != "ground" {
+        return Ok(());
+    }
+    Err(SceneError::value(
+        section,
+        "names of letters, digits, `_` and `-`, other than `ground`",
+        format!("`{}`", name.escape_debug()),
+    ))
+}

@@ -1,0 +1,244 @@
+//! The scene file as it is written: tables and keys.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Deserialize;
+use toml::{Table, Value};
+
+use super::SceneError;
+
+/// Three numbers.
+pub type Vector = [f64; 3];
+
+/// `[simulation]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SimulationTable {
+    /// Simulated time. Units: s.
+    pub duration: f64,
+    /// Fixed step. Units: s.
+    pub step: Option<f64>,
+    /// Relative tolerance of an error-controlled integrator, in place of a step.
+    pub tolerance: Option<f64>,
+    /// Name of the integrator; `rk4` if nothing is said, `dopri5` with a tolerance.
+    pub integrator: Option<String>,
+    /// Treatment of the constraints; `projection` if nothing is said.
+    pub constraints: Option<String>,
+    /// Gravity. Units: m/s². Frame: inertial.
+    #[serde(default)]
+    pub gravity: Vector,
+    /// Time between samples of the output. Units: s.
+    pub output_step: Option<f64>,
+}
+
+/// `[bodies.NAME]`: flexible with `model`, rigid with `mass`.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodyTable {
+    /// Model file, relative to the scene file.
+    pub model: Option<String>,
+    /// Number of modes that are used; all if nothing is said.
+    pub modes: Option<usize>,
+    /// Which terms of the kinetic energy are kept: a level, or a list of terms.
+    pub fidelity: Option<FidelityValue>,
+    /// Mass of a rigid body. Units: kg.
+    pub mass: Option<f64>,
+    /// Its centre of mass. Units: m. Frame: body.
+    pub center_of_mass: Option<Vector>,
+    /// Its inertia tensor about the centre of mass. Units: kg m². Frame: body.
+    pub inertia: Option<[Vector; 3]>,
+    /// Markers of a rigid body by name. Units: m. Frame: body.
+    #[serde(default)]
+    pub markers: BTreeMap<String, Vector>,
+    /// Position of the frame origin. Units: m. Frame: inertial.
+    #[serde(default)]
+    pub position: Vector,
+    /// Orientation, scalar first; body to inertial.
+    pub orientation: Option<[f64; 4]>,
+    /// Velocity of the frame origin. Units: m/s. Frame: inertial.
+    #[serde(default)]
+    pub velocity: Vector,
+    /// Angular velocity. Units: rad/s. Frame: body.
+    #[serde(default)]
+    pub angular_velocity: Vector,
+    /// Modal coordinates.
+    pub modal_coordinates: Option<Vec<f64>>,
+    /// Modal rates.
+    pub modal_rates: Option<Vec<f64>>,
+}
+
+/// A fidelity by its name or as a list of energy terms.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum FidelityValue {
+    /// `full`, `linear`, `constant`, `rigid`.
+    Level(String),
+    /// Names of energy terms.
+    Terms(Vec<String>),
+}
+
+/// `[joints.NAME]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct JointTable {
+    /// What kind of joint.
+    pub kind: String,
+    /// `ground`, BODY or BODY.MARKER.
+    pub first: String,
+    /// Position of the attachment in the frame of `first`. Units: m.
+    pub first_position: Option<Vector>,
+    /// `ground`, BODY or BODY.MARKER.
+    pub second: String,
+    /// Position of the attachment in the frame of `second`. Units: m.
+    pub second_position: Option<Vector>,
+    /// Axis in the frame of `first`; z if nothing is said.
+    pub axis: Option<Vector>,
+    /// Second axis of a universal joint, in the frame of `second`.
+    pub second_axis: Option<Vector>,
+    /// Length of a distance joint; the initial distance if nothing is said. Units: m.
+    pub length: Option<f64>,
+    /// Translations that a generic joint holds, along x, y and z of the joint's triad (z is the axis).
+    pub translation: Option<[bool; 3]>,
+    /// Rotations that a generic joint holds.
+    pub rotation: Option<[bool; 3]>,
+    /// A motion that is given.
+    pub drive: Option<DriveTable>,
+}
+
+/// `drive = { angle = ... }` or `drive = { position = ... }`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DriveTable {
+    /// Angle about the axis. Units: rad.
+    pub angle: Option<FunctionValue>,
+    /// Travel along the axis. Units: m.
+    pub position: Option<FunctionValue>,
+}
+
+/// A function of time.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum FunctionValue {
+    /// Coefficients of a polynomial, the constant first.
+    Polynomial(Vec<f64>),
+    /// A formula in t, or the name of a table file.
+    Text(String),
+}
+
+/// `[forces.NAME]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ForceTable {
+    /// `spring`, `torsion_spring`, `bushing`, `force`, `moment`.
+    pub kind: String,
+    /// `ground`, BODY or BODY.MARKER; where the force element begins.
+    pub first: Option<String>,
+    /// Position in the frame of `first`. Units: m.
+    pub first_position: Option<Vector>,
+    /// `ground`, BODY or BODY.MARKER; where the force acts.
+    pub second: Option<String>,
+    /// Position in the frame of `second`. Units: m.
+    pub second_position: Option<Vector>,
+    /// Axis of a torsion spring, in the frame of `first`.
+    pub axis: Option<Vector>,
+    /// Stiffness. Units: N/m or N m/rad.
+    pub stiffness: Option<f64>,
+    /// Damping. Units: N s/m or N m s/rad.
+    pub damping: Option<f64>,
+    /// Length (m) or angle (rad) without force; the initial one if nothing is said.
+    pub rest: Option<f64>,
+    /// Stiffness of a bushing along and about x, y, z of `first`. Units: N/m and N m/rad.
+    pub stiffness_matrix: Option<[f64; 6]>,
+    /// Damping of a bushing along and about x, y, z of `first`.
+    pub damping_matrix: Option<[f64; 6]>,
+    /// A constant force (N) or moment (N m).
+    pub value: Option<Vector>,
+    /// The frame of `value`: `inertial` (if nothing is said) or `body`.
+    pub frame: Option<String>,
+}
+
+/// `[sensors.NAME]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SensorTable {
+    /// What is measured.
+    pub kind: String,
+    /// BODY, BODY.MARKER or a joint.
+    pub of: String,
+}
+
+/// A scene file, in its order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneFile {
+    /// `[simulation]`
+    pub simulation: SimulationTable,
+    /// `[bodies.*]`
+    pub bodies: Vec<(String, BodyTable)>,
+    /// `[joints.*]`
+    pub joints: Vec<(String, JointTable)>,
+    /// `[forces.*]`
+    pub forces: Vec<(String, ForceTable)>,
+    /// `[sensors.*]`
+    pub sensors: Vec<(String, SensorTable)>,
+}
+
+impl SceneFile {
+    /// Reads a scene file. Errors: [`SceneError::Read`], [`SceneError::Syntax`], [`SceneError::Key`].
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let text = std::fs::read_to_string(path)
+            .map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
+        Self::parse(&text)
+    }
+
+    /// Reads the text of a scene file.
+    pub fn parse(text: &str) -> Result<Self, SceneError> {
+        let mut table: Table = toml::from_str(text).map_err(Box::new)?;
+        let simulation = table.remove("simulation").ok_or_else(|| SceneError::Key {
+            key: "simulation".to_owned(),
+            message: "the table [simulation] is missing".to_owned(),
+        })?;
+        let scene = Self {
+            simulation: value("simulation", simulation)?,
+            bodies: tables("bodies", &mut table)?,
+            joints: tables("joints", &mut table)?,
+            forces: tables("forces", &mut table)?,
+            sensors: tables("sensors", &mut table)?,
+        };
+        match table.keys().next() {
+            Some(unknown) => Err(SceneError::Key {
+                key: unknown.clone(),
+                message:
+                    "unknown table, expected one of `simulation`, `bodies`, `joints`, `forces`, `sensors`"
+                        .to_owned(),
+            }),
+            None => Ok(scene),
+        }
+    }
+}
+
+/// The tables `[section.*]` in their order.
+fn tables<T: for<'a> Deserialize<'a>>(
+    section: &str,
+    table: &mut Table,
+) -> Result<Vec<(String, T)>, SceneError> {
+    let Some(found) = table.remove(section) else { return Ok(Vec::new()) };
+    let Value::Table(found) = found else {
+        let message = format!("expected tables [{section}.NAME], found {}", found.type_str());
+        return Err(SceneError::Key { key: section.to_owned(), message });
+    };
+    found
+        .into_iter()
+        .map(|(name, entry)| {
+            let key = format!("{section}.{name}");
+            Ok((name, value(&key, entry)?))
+        })
+        .collect()
+}
+
+fn value<T: for<'a> Deserialize<'a>>(key: &str, found: Value) -> Result<T, SceneError> {
+    found.try_into().map_err(|error: toml::de::Error| SceneError::Key {
+        key: key.to_owned(),
+        message: error.message().to_owned(),
+    })
+}

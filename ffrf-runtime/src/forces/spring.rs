@@ -1,0 +1,38 @@
+//! A linear spring and damper between two points.
+
+use nalgebra::{RealField, Vector3};
+
+use crate::body::{MarkerMotion, Wrench};
+
+/// A linear spring with a damper along the line between two points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spring<T = f64> {
+    /// Units: N/m.
+    pub stiffness: T,
+    /// Units: N s/m.
+    pub damping: T,
+    /// Length without force. Units: m.
+    pub rest_length: T,
+}
+
+impl<T: RealField + Copy> Spring<T> {
+    /// Wrenches on both ends (inertial). Where the ends meet, the line has no direction and there is no force.
+    pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+        let between = second.position - first.position;
+        let length = between.norm();
+        if !(length > T::default_epsilon()) {
+            return [Wrench::zero(); 2];
+        }
+        let direction = between / length;
+        let rate = direction.dot(&(second.velocity - first.velocity));
+        let pull = direction * (self.stiffness * (length - self.rest_length) + self.damping * rate);
+        let moment = Vector3::zeros();
+        [Wrench { force: pull, moment }, Wrench { force: -pull, moment }]
+    }
+
+    /// Stored energy. Units: J.
+    pub fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
+        let stretch = (second.position - first.position).norm() - self.rest_length;
+        self.stiffness * stretch * stretch * nalgebra::convert(0.5)
+    }
+}

@@ -1,0 +1,111 @@
+//! The method of Dormand and Prince, order 5(4).
+
+use nalgebra::RealField;
+
+use super::step::checked_step_size;
+use super::system::finish;
+use super::{StepError, StepReport, System, Tolerances, VectorSpace};
+
+/// Nodes of the stages.
+const NODES: [f64; 7] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
+
+/// Weights of earlier stages, for stages two to seven; the last row is the method of order five.
+const STAGES: [&[f64]; 6] = [
+    &[1.0 / 5.0],
+    &[3.0 / 40.0, 9.0 / 40.0],
+    &[44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0],
+    &[19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0],
+    &[9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0],
+    &[35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
+];
+
+/// Difference of the weights of order five and of the embedded order four.
+const ERROR: [f64; 7] =
+    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
+
+/// One step of the method of Dormand and Prince, order 5, explicit, with the error of the embedded method of order 4.
+///
+/// Seven evaluations of the accelerations; no allocation, bounded work.
+/// Source: J. R. Dormand, P. J. Prince, A family of embedded Runge-Kutta formulae, J. Comp. Appl. Math. 6 (1980) 19-26.
+///
+/// Units: `time`, `step` s. Errors: see [`StepError`].
+pub fn step_dormand_prince<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    state: &S::State,
+    time: T,
+    step: T,
+) -> Result<(S::State, StepReport<T>), StepError> {
+    let (slope, error) = stages(system, state, time, step)?;
+    finish(system, time + step, state, &slope, &error, None)
+}
+
+/// A try of an error-controlled step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ControlledStep<S, T = f64> {
+    /// The new state with its report, if the error was within the tolerance.
+    pub accepted: Option<(S, StepReport<T>)>,
+    /// The step to try next. Units: s.
+    pub next_step: T,
+}
+
+/// Tries a step of [`step_dormand_prince`]: accepted if its error is within the tolerances, with a proposal what to try
+/// next.
+///
+/// Factors of the step stay between 1/5 and 5, safety 0.9. Source: Hairer, Nørsett, Wanner, Solving Ordinary Differential
+/// Equations I, II.4. Errors: see [`StepError`]; a state that is not finite counts as an error that is too large.
+pub fn try_dormand_prince<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    state: &S::State,
+    time: T,
+    step: T,
+    tolerances: &Tolerances<T>,
+) -> Result<ControlledStep<S::State, T>, StepError> {
+    let (fifth, safety, most): (T, T, T) =
+        (nalgebra::convert(0.2), nalgebra::convert(0.9), nalgebra::convert(5.0));
+    let (slope, error) = stages(system, state, time, step)?;
+    let ratio = system.weighted_error(state, &error, tolerances);
+    // not a number counts as far too large
+    if !ratio.is_finite() {
+        return Ok(ControlledStep { accepted: None, next_step: step * fifth });
+    }
+    let factor = if ratio > T::zero() { safety * ratio.powf(-fifth) } else { most };
+    let next_step = step * factor.max(fifth).min(most);
+    if ratio > T::one() {
+        return Ok(ControlledStep { accepted: None, next_step: next_step.min(step * safety) });
+    }
+    let accepted = finish(system, time + step, state, &slope, &error, None)?;
+    Ok(ControlledStep { accepted: Some(accepted), next_step })
+}
+
+/// The increment of order five and the estimate of its error.
+fn stages<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    state: &S::State,
+    time: T,
+    step: T,
+) -> Result<(S::Increment, S::Increment), StepError> {
+    let h = checked_step_size(step)?;
+    if !system.is_finite(state) {
+        return Err(StepError::NonFiniteState);
+    }
+    let none = system.no_change(state);
+    let mut slopes: [S::Increment; 7] = core::array::from_fn(|_| none.clone());
+    let mut increment = none.clone();
+    let mut error = none.clone();
+    for (index, node) in NODES.iter().enumerate() {
+        if let Some(weights) = index.checked_sub(1).and_then(|row| STAGES.get(row)) {
+            increment = none.clone();
+            for (weight, slope) in weights.iter().zip(&slopes) {
+                increment.add_scaled(h * nalgebra::convert(*weight), slope);
+            }
+        }
+        let rates = system.rates(time + h * nalgebra::convert(*node), state, &increment)?;
+        if let Some(place) = slopes.get_mut(index) {
+            *place = rates;
+        }
+    }
+    for (weight, slope) in ERROR.iter().zip(&slopes) {
+        error.add_scaled(h * nalgebra::convert(*weight), slope);
+    }
+    Ok((increment, error))
+}
