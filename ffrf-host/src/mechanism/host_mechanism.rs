@@ -89,6 +89,11 @@ impl HostMechanism {
         self
     }
 
+    /// The markers of each body.
+    pub fn markers(&self) -> &[Vec<Marker<HostModal, f64>>] {
+        &self.markers
+    }
+
     /// The force elements.
     pub fn elements(&self) -> &[Element] {
         &self.elements

@@ -1,1 +1,13 @@
-//! Simulation of a scene.
+//! Simulation of a scene: the way through time, and what is seen on it.
+
+mod advance;
+mod check;
+mod run;
+mod sample;
+mod saved_state;
+
+pub use advance::Advance;
+pub use check::{SceneCheck, check};
+pub use run::{Progress, SimulationError, Summary, simulate};
+pub use sample::{Sample, header};
+pub use saved_state::{BodyState, SavedState, StateError};

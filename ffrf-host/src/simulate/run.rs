@@ -1,0 +1,112 @@
+//! The way of a scene through time.
+
+use ffrf_runtime::StepError;
+use thiserror::Error;
+
+use super::sample::sample;
+use super::{Advance, Sample, SavedState, StateError};
+use crate::scene::{Scene, SceneError};
+
+/// Where a simulation is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Time. Units: s.
+    pub time: f64,
+    /// Share of the duration that is done.
+    pub share: f64,
+    /// Steps so far.
+    pub steps: u64,
+}
+
+/// What a simulation says at its end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// Steps, refused tries and the largest drift.
+    pub advance: Advance,
+    /// How far the file's state was from the joints: position (m or rad), velocity.
+    pub initial_residuals: [f64; 2],
+    /// The state at the end.
+    pub end: SavedState,
+}
+
+/// Why a simulation ended early.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum SimulationError {
+    /// The scene cannot be assembled.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A saved state does not fit.
+    #[error("saved state: {0}")]
+    State(#[from] StateError),
+    /// A step was refused.
+    #[error("t = {time:.9e} s: {reason}")]
+    Step {
+        /// Time of the step. Units: s.
+        time: f64,
+        /// Why, with the name of a joint in place of its number.
+        reason: String,
+    },
+    /// A sample could not be written.
+    #[error(transparent)]
+    Output(#[from] std::io::Error),
+}
+
+/// Simulates a scene from its initial or a saved state and hands each sample to `write`.
+///
+/// Errors: see [`SimulationError`]; samples up to there have been written.
+pub fn simulate(
+    scene: &Scene,
+    from: Option<&SavedState>,
+    mut write: impl FnMut(&Sample) -> std::io::Result<()>,
+    mut progress: impl FnMut(Progress),
+) -> Result<Summary, SimulationError> {
+    let settings = &scene.settings;
+    let mut advance = Advance::new(settings);
+    let mut angles = vec![None; scene.sensors.len()];
+    let (mut time, (mut state, initial_residuals)) = match from {
+        None => (0.0, scene.assembled()?),
+        Some(saved) => {
+            advance.next_step = saved.next_step;
+            if saved.angles.len() == angles.len() {
+                angles.clone_from(&saved.angles);
+            }
+            (saved.time, (saved.states(scene)?, [0.0; 2]))
+        }
+    };
+    let refused = |time: f64, error: StepError| SimulationError::Step { time, reason: reason(scene, error) };
+    write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
+    // samples stand on a grid that begins at zero, so that a run continued is the run itself
+    let mut index = (time / settings.output_step * (1.0 + 1e-12)).floor() + 1.0;
+    while time < settings.duration {
+        let mut end = index * settings.output_step;
+        if end > settings.duration * (1.0 - 1e-12) {
+            end = settings.duration;
+        }
+        if end <= time {
+            index += 1.0;
+            continue;
+        }
+        state = advance
+            .to(&scene.mechanism, settings, state, time, end)
+            .map_err(|(time, error)| refused(time, error))?;
+        time = end;
+        index += 1.0;
+        write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
+        progress(Progress { time, share: time / settings.duration, steps: advance.steps });
+    }
+    let end = SavedState::new(scene, time, advance.next_step, &angles, &state);
+    Ok(Summary { advance, initial_residuals, end })
+}
+
+fn reason(scene: &Scene, error: StepError) -> String {
+    match error {
+        StepError::ConstraintsNotMet { joint, residual } => {
+            let name = scene.connection_names.get(joint).map_or("?", String::as_str);
+            format!(
+                "joint `{name}` is off by {residual:.3e} (m or rad) and cannot be met again: reduce the step"
+            )
+        }
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,156 @@
+//! What a simulation shows at one time: the columns of its output.
+
+use ffrf_runtime::forces::relative_angle;
+use ffrf_runtime::mechanism::{Assembly, Attachment, Constrained, Ports, Storage};
+use ffrf_runtime::{Observables, State, StepError, rotation};
+use nalgebra::Vector3;
+
+use crate::HostModal;
+use crate::mechanism::{HostMechanism, HostPorts};
+use crate::scene::{Scene, SensorKind};
+
+/// The numbers of one time, in the order of [`header`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// Time. Units: s.
+    pub time: f64,
+    /// The other columns.
+    pub values: Vec<f64>,
+}
+
+/// The names of the columns, the time first.
+pub fn header(scene: &Scene) -> Vec<String> {
+    let mut names = vec!["t".to_owned()];
+    let bodies = scene.body_names.iter().zip(scene.mechanism.bodies());
+    for (name, body) in bodies {
+        let mut add = |what: &str, parts: &[&str]| {
+            names.extend(parts.iter().map(|part| format!("{name}.{what}.{part}")))
+        };
+        let modes: Vec<String> = (1..=body.mode_count()).map(|mode| mode.to_string()).collect();
+        let modes: Vec<&str> = modes.iter().map(String::as_str).collect();
+        add("position", &AXES);
+        add("orientation", &["w", "x", "y", "z"]);
+        add("modal_coordinates", &modes);
+        add("velocity", &AXES);
+        add("angular_velocity", &AXES);
+        add("modal_rates", &modes);
+    }
+    for sensor in &scene.sensors {
+        names.extend(sensor.kind.columns().iter().map(|ending| format!("{}{ending}", sensor.name)));
+    }
+    names.extend(
+        ["energy.kinetic", "energy.elastic", "energy.potential", "drift.position", "drift.velocity"]
+            .map(str::to_owned),
+    );
+    names
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The sample of a state. `angles`: those of angle sensors at the sample before, continued over turns.
+pub(super) fn sample(
+    scene: &Scene,
+    time: f64,
+    state: &[State<HostModal>],
+    angles: &mut [Option<f64>],
+) -> Result<Sample, StepError> {
+    let mut values = Vec::new();
+    for body in state {
+        values.extend_from_slice(body.position.as_slice());
+        values.extend_from_slice(&rotation::euler_parameters(&body.orientation));
+        values.extend_from_slice(body.modal_coordinates.0.as_slice());
+        values.extend_from_slice(body.velocity.as_slice());
+        values.extend_from_slice(body.angular_velocity.as_slice());
+        values.extend_from_slice(body.modal_rates.0.as_slice());
+    }
+    let mechanism = &scene.mechanism;
+    Constrained(mechanism).evaluate(time, state.to_vec(), None, |ports, storage, _| {
+        for (sensor, angle) in scene.sensors.iter().zip(angles) {
+            read(&sensor.kind, mechanism, ports, storage, angle, &mut values);
+        }
+        values.extend(energies(mechanism, state, ports));
+        values.extend(residuals(storage));
+    })?;
+    Ok(Sample { time, values })
+}
+
+fn read(
+    kind: &SensorKind,
+    mechanism: &HostMechanism,
+    ports: &HostPorts<'_>,
+    storage: &Storage<'_, f64>,
+    angle: &mut Option<f64>,
+    values: &mut Vec<f64>,
+) {
+    match kind {
+        SensorKind::Position(at) => values.extend_from_slice(at.motion(ports).position.as_slice()),
+        SensorKind::Velocity(at) => values.extend_from_slice(at.motion(ports).velocity.as_slice()),
+        SensorKind::Acceleration(at) => values.extend_from_slice(acceleration(at, ports).as_slice()),
+        SensorKind::Orientation(at) => {
+            values.extend(rotation::euler_parameters(&at.motion(ports).orientation))
+        }
+        SensorKind::Angle(joint) => {
+            let [first, second] = &storage.ends[*joint];
+            let now = relative_angle(first, second);
+            let turn = std::f64::consts::TAU;
+            let continued = angle.map_or(now, |before| now + turn * ((before - now) / turn).round());
+            *angle = Some(continued);
+            values.push(continued);
+        }
+        SensorKind::ReactionForce(joints) => {
+            values.extend_from_slice(reaction(mechanism, storage, joints).0.as_slice());
+        }
+        SensorKind::ReactionMoment(joints) => {
+            values.extend_from_slice(reaction(mechanism, storage, joints).1.as_slice());
+        }
+    }
+}
+
+fn acceleration(at: &Attachment<f64>, ports: &HostPorts<'_>) -> Vector3<f64> {
+    let twist = at.body.and_then(|body| ports.port(body)).map(|port| port.resulting_twist(at.marker)[0]);
+    at.motion(ports).acceleration_bias + twist.unwrap_or_else(Vector3::zeros)
+}
+
+/// Force and moment of joints on their second body, at the attachment there.
+fn reaction(
+    mechanism: &HostMechanism,
+    storage: &Storage<'_, f64>,
+    joints: &[usize],
+) -> (Vector3<f64>, Vector3<f64>) {
+    let plan = mechanism.plan();
+    let mut sum = (Vector3::zeros(), Vector3::zeros());
+    for joint in joints {
+        for (k, row) in storage.rows[*joint].as_slice().iter().enumerate() {
+            let multiplier = -storage.solution[plan.joints[*joint].unknowns + k];
+            sum.0 += row.second.force * multiplier;
+            sum.1 += row.second.moment * multiplier;
+        }
+    }
+    sum
+}
+
+/// Kinetic, elastic and potential energy; the last holds gravity and force elements. Units: J.
+fn energies(mechanism: &HostMechanism, state: &[State<HostModal>], ports: &HostPorts<'_>) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for (body, state) in mechanism.bodies().iter().zip(state) {
+        let q = &state.modal_coordinates;
+        sum[0] += body.kinetic_energy(q, &state.body_velocity(), &state.angular_velocity, &state.modal_rates);
+        sum[1] += body.elastic_energy(q);
+        let moment = state.position * body.mass() + state.to_inertial(&body.first_mass_moment(q));
+        sum[2] -= mechanism.gravity().dot(&moment);
+    }
+    sum[2] += mechanism.elements().iter().map(|element| element.energy(ports)).sum::<f64>();
+    sum
+}
+
+/// Largest residual of positions and velocities.
+fn residuals(storage: &Storage<'_, f64>) -> [f64; 2] {
+    let mut largest = [0.0_f64; 2];
+    for (rows, [first, second]) in storage.rows.iter().zip(storage.ends.iter()) {
+        for row in rows.as_slice() {
+            largest[0] = largest[0].max(row.residual.abs());
+            largest[1] = largest[1].max(row.velocity(first, second).abs());
+        }
+    }
+    largest
+}

@@ -1,0 +1,118 @@
+//! The state of a scene in a file: written and read without the loss of a bit.
+
+use std::collections::BTreeMap;
+
+use ffrf_runtime::State;
+use nalgebra::{DVector, Quaternion, UnitQuaternion};
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use crate::HostModal;
+use crate::scene::Scene;
+
+/// The state of all bodies at one time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SavedState {
+    /// Time. Units: s.
+    pub time: f64,
+    /// What an error-controlled integrator tries next. Units: s.
+    pub next_step: f64,
+    /// Angles that sensors have counted over turns. Units: rad.
+    pub angles: Vec<Option<f64>>,
+    /// Bodies by name.
+    pub bodies: BTreeMap<String, BodyState>,
+}
+
+/// The state of one body; frames and units as in scene files.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BodyState {
+    /// Position of the frame origin. Units: m. Frame: inertial.
+    pub position: [f64; 3],
+    /// Orientation, scalar first.
+    pub orientation: [f64; 4],
+    /// Modal coordinates.
+    pub modal_coordinates: Vec<f64>,
+    /// Velocity of the frame origin. Units: m/s. Frame: inertial.
+    pub velocity: [f64; 3],
+    /// Angular velocity. Units: rad/s. Frame: body.
+    pub angular_velocity: [f64; 3],
+    /// Modal rates.
+    pub modal_rates: Vec<f64>,
+}
+
+/// Why a saved state does not fit a scene.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum StateError {
+    /// A body of the scene is missing, or has another number of modes.
+    #[error("body `{body}`: expected {expected} modal coordinates and rates, found {found}")]
+    Modes {
+        /// The body.
+        body: String,
+        /// Number of modes in the scene.
+        expected: usize,
+        /// What the file has.
+        found: String,
+    },
+    /// A body that the scene does not have.
+    #[error("body `{body}` is not in the scene")]
+    Extra {
+        /// The body.
+        body: String,
+    },
+}
+
+impl SavedState {
+    pub(super) fn new(
+        scene: &Scene,
+        time: f64,
+        next_step: f64,
+        angles: &[Option<f64>],
+        state: &[State<HostModal>],
+    ) -> Self {
+        let bodies = scene.body_names.iter().zip(state).map(|(name, state)| {
+            let theta = &state.orientation;
+            let body = BodyState {
+                position: state.position.into(),
+                orientation: [theta.w, theta.i, theta.j, theta.k],
+                modal_coordinates: state.modal_coordinates.0.as_slice().to_vec(),
+                velocity: state.velocity.into(),
+                angular_velocity: state.angular_velocity.into(),
+                modal_rates: state.modal_rates.0.as_slice().to_vec(),
+            };
+            (name.clone(), body)
+        });
+        Self { time, next_step, angles: angles.to_vec(), bodies: bodies.collect() }
+    }
+
+    /// The states of the bodies of a scene, bit by bit.
+    pub(super) fn states(&self, scene: &Scene) -> Result<Vec<State<HostModal>>, StateError> {
+        if let Some(body) = self.bodies.keys().find(|name| !scene.body_names.contains(name)) {
+            return Err(StateError::Extra { body: body.clone() });
+        }
+        let bodies = scene.body_names.iter().zip(scene.mechanism.bodies());
+        bodies
+            .map(|(name, body)| {
+                let expected = body.mode_count();
+                let refused = |found: String| StateError::Modes { body: name.clone(), expected, found };
+                let saved = self.bodies.get(name).ok_or_else(|| refused("no such body".to_owned()))?;
+                if saved.modal_coordinates.len() != expected || saved.modal_rates.len() != expected {
+                    let counts = [saved.modal_coordinates.len(), saved.modal_rates.len()];
+                    return Err(refused(format!("{} and {}", counts[0], counts[1])));
+                }
+                let [w, i, j, k] = saved.orientation;
+                Ok(State {
+                    position: saved.position.into(),
+                    // not normalised: it was when it was saved, and must keep its bits
+                    orientation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
+                    modal_coordinates: HostModal(DVector::from_column_slice(&saved.modal_coordinates)),
+                    velocity: saved.velocity.into(),
+                    angular_velocity: saved.angular_velocity.into(),
+                    modal_rates: HostModal(DVector::from_column_slice(&saved.modal_rates)),
+                })
+            })
+            .collect()
+    }
+}
