@@ -2,7 +2,8 @@
 
 use ffrf::nalgebra::{SMatrix, SVector, Vector3};
 use ffrf::{EquationsOfMotion, FlexibleBody};
-use ffrf_codegen::formulate::KernelKind;
+use ffrf_codegen::formulate::Definition;
+use ffrf_codegen::formulate::kernels::{DAMPING_MATRIX, FORWARD_DYNAMICS, MASS_MATRIX, QUADRATIC_VELOCITY, STIFFNESS_MATRIX};
 use ffrf_codegen::{KernelInput, Kernels};
 
 /// The kernels of a model, as expressions.
@@ -10,18 +11,18 @@ use ffrf_codegen::{KernelInput, Kernels};
 pub struct InterpretedBody<const M: usize, const N: usize>(pub Kernels);
 
 impl<const M: usize, const N: usize> InterpretedBody<M, N> {
-    fn vector<const R: usize>(&self, kind: KernelKind, input: &KernelInput<'_>) -> SVector<f64, R> {
-        SVector::from_row_slice(&self.0.evaluate(kind, input))
+    fn vector<const R: usize>(&self, kernel: &Definition, input: &KernelInput<'_>) -> SVector<f64, R> {
+        SVector::from_row_slice(&self.0.evaluate(kernel, input))
     }
 
-    fn square<const R: usize>(&self, kind: KernelKind, input: &KernelInput<'_>) -> SMatrix<f64, R, R> {
-        SMatrix::from_column_slice(&self.0.evaluate(kind, input))
+    fn square<const R: usize>(&self, kernel: &Definition, input: &KernelInput<'_>) -> SMatrix<f64, R, R> {
+        SMatrix::from_column_slice(&self.0.evaluate(kernel, input))
     }
 }
 
 impl<const M: usize, const N: usize> FlexibleBody<M, N> for InterpretedBody<M, N> {
     fn mass_matrix(&self, q: &SVector<f64, M>) -> SMatrix<f64, N, N> {
-        self.square(KernelKind::MassMatrix, &KernelInput { q: q.as_slice(), ..Default::default() })
+        self.square(&MASS_MATRIX, &KernelInput { q: q.as_slice(), ..Default::default() })
     }
 
     fn quadratic_velocity(
@@ -36,7 +37,7 @@ impl<const M: usize, const N: usize> FlexibleBody<M, N> for InterpretedBody<M, N
             q_dot: q_dot.as_slice(),
             ..Default::default()
         };
-        self.vector(KernelKind::QuadraticVelocity, &input)
+        self.vector(&QUADRATIC_VELOCITY, &input)
     }
 
     fn forward_dynamics(
@@ -53,7 +54,7 @@ impl<const M: usize, const N: usize> FlexibleBody<M, N> for InterpretedBody<M, N
             force: force.as_slice(),
             ..Default::default()
         };
-        self.vector(KernelKind::ForwardDynamics, &input)
+        self.vector(&FORWARD_DYNAMICS, &input)
     }
 
     fn equations_of_motion(
@@ -117,10 +118,10 @@ impl<const M: usize, const N: usize> FlexibleBody<M, N> for InterpretedBody<M, N
     }
 
     fn stiffness_matrix(&self) -> SMatrix<f64, M, M> {
-        self.square(KernelKind::StiffnessMatrix, &KernelInput::default())
+        self.square(&STIFFNESS_MATRIX, &KernelInput::default())
     }
 
     fn damping_matrix(&self) -> SMatrix<f64, M, M> {
-        self.square(KernelKind::DampingMatrix, &KernelInput::default())
+        self.square(&DAMPING_MATRIX, &KernelInput::default())
     }
 }
