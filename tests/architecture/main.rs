@@ -1,0 +1,11 @@
+//! The structure of the workspace as a test: who may import whom, and how files must look.
+//!
+//! ARCHITECTURE.md states the same law for people; a change there is a change here. One file for each check.
+#![allow(clippy::expect_used)] // helpers of tests are tests
+
+mod workspace;
+
+mod files;
+mod generator;
+mod imports;
+mod unsafe_code;
