@@ -8,8 +8,8 @@ use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::formulate::{State, inverse_modal_mass};
-use ffrf_codegen::lanes::LaneTables;
 use ffrf_codegen::invariants::{Invariant, Structure};
+use ffrf_codegen::lanes::LaneTables;
 use ffrf_codegen::layout::Layout;
 
 use crate::lane_body::Bodies;

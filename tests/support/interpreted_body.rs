@@ -3,7 +3,9 @@
 use ffrf::nalgebra::{SMatrix, SVector, Vector3};
 use ffrf::{EquationsOfMotion, FlexibleBody};
 use ffrf_codegen::formulate::Definition;
-use ffrf_codegen::formulate::kernels::{DAMPING_MATRIX, FORWARD_DYNAMICS, MASS_MATRIX, QUADRATIC_VELOCITY, STIFFNESS_MATRIX};
+use ffrf_codegen::formulate::kernels::{
+    DAMPING_MATRIX, FORWARD_DYNAMICS, MASS_MATRIX, QUADRATIC_VELOCITY, STIFFNESS_MATRIX,
+};
 use ffrf_codegen::{KernelInput, Kernels};
 
 /// The kernels of a model, as expressions.

@@ -1,7 +1,7 @@
 //! Inputs of kernels, described by data: a joint or another body has inputs of its own.
 
-use super::Symbol;
-use super::symbol::AXES;
+/// Names of the three axes.
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// How many entries something has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -76,16 +76,6 @@ impl Input {
     /// Number of entries.
     pub fn size(&self, mode_count: usize) -> usize {
         self.blocks.iter().map(|block| block.extent.size(mode_count)).sum()
-    }
-
-    /// The symbol of entry `k`.
-    pub const fn symbol(self, k: usize) -> Symbol {
-        Symbol::Input(self, k)
-    }
-
-    /// The symbols of all entries.
-    pub fn symbols(self, mode_count: usize) -> impl Iterator<Item = Symbol> {
-        (0..self.size(mode_count)).map(move |k| self.symbol(k))
     }
 
     /// Writes the name of entry `k`: that of its block, with an axis or a number.

@@ -17,12 +17,13 @@ mod input;
 mod interpret;
 mod rules;
 mod substitute;
-pub(crate) mod symbol;
+mod symbol;
 mod vector;
 
 pub use constant::Constant;
 pub use differentiate::differentiate;
 pub use graph::{Expression, Graph, Node};
+pub(crate) use input::AXES;
 pub use input::{Block, Extent, Input};
 pub use interpret::{Scalar, evaluate};
 pub use substitute::substitute;

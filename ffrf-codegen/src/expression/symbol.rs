@@ -1,6 +1,6 @@
 //! Symbols: the inputs of an expression, named by what they are.
 
-use super::Input;
+use super::input::{AXES, Input};
 use crate::invariants::Invariant;
 
 /// Indices of an entry of an invariant, modes first, then axes; the rest is zero.
@@ -25,6 +25,18 @@ impl Symbol {
     }
 }
 
+impl Input {
+    /// The symbol of entry `k`.
+    pub const fn symbol(self, k: usize) -> Symbol {
+        Symbol::Input(self, k)
+    }
+
+    /// The symbols of all entries.
+    pub fn symbols(self, mode_count: usize) -> impl Iterator<Item = Symbol> {
+        (0..self.size(mode_count)).map(move |k| self.symbol(k))
+    }
+}
+
 impl Invariant {
     /// The symbol of an entry, by as many indices as the invariant has.
     pub fn at<const R: usize>(self, indices: [usize; R]) -> Symbol {
@@ -36,9 +48,6 @@ impl Invariant {
         Symbol::Parameter(self, all)
     }
 }
-
-/// Names of the three axes.
-pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl core::fmt::Display for Symbol {
     /// A name that is a Rust identifier, unique for each symbol.

@@ -6,8 +6,7 @@
 
 use super::{Draft, State};
 use crate::body::{BodyExpressions, MomentComponents};
-use crate::expression::symbol::AXES;
-use crate::expression::{Expression, Graph, Symmetric3, Vector, cross, negate3, sum3, symmetric_times};
+use crate::expression::{AXES, Expression, Graph, Symmetric3, Vector, cross, negate3, sum3, symmetric_times};
 
 /// Names of the even components in generated code.
 const EVEN_NAMES: [&str; 6] = ["trace", "yy", "zz", "xy", "xz", "yz"];

@@ -1,20 +1,17 @@
-//! Which strategy a body gets.
+//! What the loops of a body read, if its strategy is loops.
 
 use ffrf_model::ReducedBody;
 
 use super::LaneTables;
 use super::compliance::translation_compliance;
 use super::parameters::{self, LaneParameters};
+use super::strategy::in_lanes;
 use crate::body::BodyExpressions;
 use crate::expression::Graph;
 use crate::formulate::inverse_modal_mass;
 use crate::layout::Layout;
-use crate::options::Strategy;
 use crate::prepare::prepare;
-use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions, ScalarType};
-
-/// From this number of modes on, lanes are chosen. Measured, see benches/kernels.md.
-const LANES_FROM: usize = 7;
+use crate::{CodegenError, GenerateOptions, ScalarType};
 
 /// The tables in the code that [`generate`](crate::generate) makes of a body; `None` if that code is straight-line.
 ///
@@ -83,31 +80,6 @@ fn choose_tables(
         tables(graph, body, options).map(Some)
     } else {
         Ok(None)
-    }
-}
-
-/// Whether a body is to be computed in lanes; `obstacle` is what stands in the way besides its size and the options.
-///
-/// Errors: lanes were demanded where they cannot be had.
-pub(super) fn in_lanes(
-    modes: usize,
-    obstacle: Option<&'static str>,
-    options: &GenerateOptions,
-) -> Result<bool, CodegenError> {
-    let obstacle = if modes == 0 {
-        Some("a body without modes has no lanes")
-    } else if obstacle.is_some() {
-        obstacle
-    } else if options.fused_multiply_add != FusedMultiplyAdd::Auto {
-        Some("they contract products and sums where the target does (fma: auto)")
-    } else {
-        None
-    };
-    match (options.strategy, obstacle) {
-        (Strategy::Lanes, Some(reason)) => Err(CodegenError::NoLanes { reason }),
-        (Strategy::Lanes, None) => Ok(true),
-        (Strategy::StraightLine, _) | (Strategy::Auto, Some(_)) => Ok(false),
-        (Strategy::Auto, None) => Ok(modes >= LANES_FROM),
     }
 }
 

@@ -9,6 +9,7 @@ mod choice;
 mod compliance;
 mod moment_tables;
 mod parameters;
+mod strategy;
 mod table;
 mod tables;
 

@@ -1,6 +1,6 @@
 //! Loops over lanes for bodies whose invariants come at run time: which of them the loops read.
 
-use super::choice::in_lanes;
+use super::strategy::in_lanes;
 use crate::fidelity::{EnergyTerm, Fidelity};
 use crate::invariants::{Invariant, Structure};
 use crate::layout::Layout;
