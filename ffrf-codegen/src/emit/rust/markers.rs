@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use ffrf_model::{Marker, ReducedBody, Vector3};
 
 use super::literal::literal;
-use super::structure::{constants, visibility};
+use super::structure::{RESERVED, constants, visibility};
 use super::writer::{Writer, bracketed};
 use crate::report::Report;
 use crate::{GenerateOptions, ScalarType};
@@ -64,8 +64,7 @@ pub(super) fn trait_methods(writer: &mut Writer, body: &ReducedBody, options: &G
 
 /// The names of the markers in upper case, made unique.
 fn constant_names(body: &ReducedBody) -> Vec<String> {
-    let mut taken: BTreeSet<String> =
-        ["MODE_COUNT", "MASS", "FREQUENCIES_HZ", "MODEL_FINGERPRINT"].map(str::to_owned).into();
+    let mut taken: BTreeSet<String> = RESERVED.map(str::to_owned).into();
     body.markers
         .iter()
         .map(|marker| {

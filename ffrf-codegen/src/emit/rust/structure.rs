@@ -42,9 +42,13 @@ pub(super) fn plain(title: &str) -> String {
     title.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// A constant of a body.
+/// Names of the constants of bodies, which no marker can take.
+pub(super) const RESERVED: [&str; 5] =
+    ["MODE_COUNT", "MASS", "FREQUENCIES_HZ", "LARGEST_STABLE_STEP", "MODEL_FINGERPRINT"];
+
+/// A constant of a body, one of [`RESERVED`].
 pub(super) struct Constant {
-    /// Its name, which no marker can take.
+    /// Its name.
     pub(super) name: &'static str,
     documentation: &'static str,
     kind: String,
