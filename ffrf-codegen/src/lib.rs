@@ -17,6 +17,7 @@ pub mod formulate;
 pub mod invariants;
 pub mod lanes;
 pub mod layout;
+pub mod mechanism;
 pub mod polynomial;
 
 mod counts;

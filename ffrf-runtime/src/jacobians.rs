@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, SMatrix, SVector, Vector3};
 
-use crate::FlexibleBody;
+use crate::DenseForms;
 
 /// Accelerations w = [α; ω̇; q̈] and their derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,7 +56,9 @@ impl<const M: usize, const N: usize, T: RealField + Copy> ResidualJacobian<M, N,
 /// A flexible body that knows the derivatives of its equations.
 ///
 /// Forces are independent variables: where they depend on the state themselves, the chain rule is the caller's.
-pub trait FlexibleBodyJacobians<const M: usize, const N: usize, T = f64>: FlexibleBody<M, N, T> {
+pub trait FlexibleBodyJacobians<const M: usize, const N: usize, T: RealField + Copy = f64>:
+    DenseForms<M, N, T>
+{
     /// Accelerations under `force` and their derivatives. Panics: never.
     fn acceleration_jacobian(
         &self,

@@ -1,9 +1,10 @@
 //! `no_std` runtime for generated flexible bodies: the [`FlexibleBody`] trait, states, rotations, integrators.
 //!
-//! - [`FlexibleBody`] is what the generator implements: kernels, resolved in the body frame.
-//! - [`FreeBody`] is a body with [`State`] and time; it steps under a [`Load`] and knows its energy and momentum.
-//! - [`step_rk4`] is explicit (order 4), [`step_linearly_implicit`] is for stiff modes (order 2).
-//! - [`Marker`] is a point where forces act and joints hold, with its Jacobians; [`LeverArm`] says about which position.
+//! - [`body`]: [`FlexibleBody`] is what the generator implements, constants and one function of the state, whose result
+//!   [`Prepared`] serves forces, constraints and outputs; [`Observables`] and [`DenseForms`] are what can be seen of it;
+//!   [`FreeBody`] is a body with [`State`] and time; [`Marker`] is a point where forces act and joints hold.
+//! - [`forces`]: every [`Load`].
+//! - [`integrators`]: [`step_rk4`] (explicit, order 4), [`step_linearly_implicit`] (stiff modes, order 2), for every [`System`].
 //! - [`forms`] makes the inertial and the Euler-parameter form of the equations out of the kernels' one.
 //! - [`rotation`] states the one convention of rotations.
 //! - [`InvariantError`] is what `check` of a body says whose invariants come at run time.
@@ -25,35 +26,32 @@ compile_error!(
     "ffrf-runtime needs float functions: turn on the feature `std` (hosts) or `libm` (targets without one)"
 );
 
-mod augmented_mass;
-mod flexible_body;
+pub mod body;
+pub mod forces;
 pub mod forms;
-mod free_body;
 #[doc(hidden)]
 pub mod generated_support;
+pub mod integrators;
 mod invariants;
 mod jacobians;
+pub mod joints;
 #[doc(hidden)]
 pub mod lanes;
-mod lever_arm;
-mod linearly_implicit;
-mod load;
-mod marker;
-mod phase;
+mod math;
+pub mod mechanism;
+pub mod relations;
 pub mod rotation;
-mod runge_kutta;
-mod state;
-mod step;
 
-pub use flexible_body::{EquationsOfMotion, FlexibleBody};
-pub use free_body::FreeBody;
+pub use body::{
+    DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
+    GeneralisedForce, Increment, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
+    NamedMarkers, Observables, PlacedMarker, Prepared, RigidBody, State, Wrench,
+};
+pub use forces::{Frame, Gravity, Load, MarkerLoad};
+pub use integrators::{
+    Drift, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
+    step_linearly_implicit, step_rk4,
+};
 pub use invariants::{InvariantError, InvariantExpectation, InvariantIndex};
 pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};
-pub use lever_arm::LeverArm;
-pub use linearly_implicit::step_linearly_implicit;
-pub use load::{Frame, Gravity, Load, MarkerLoad};
-pub use marker::Marker;
 pub use nalgebra;
-pub use runge_kutta::step_rk4;
-pub use state::State;
-pub use step::{LocalError, StepError, StepReport};

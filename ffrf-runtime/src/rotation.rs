@@ -53,6 +53,38 @@ pub fn angular_velocity<T: RealField + Copy>(
     (orientation.quaternion().conjugate() * rate).imag() * two
 }
 
+/// The rotation of a small rotation vector by the Cayley map: quaternion (1, ϑ/2), normalised.
+///
+/// Rational but for the norm, the same bits on every target, and its angular velocity is rational in ϑ̇; it turns by
+/// 2 atan(|ϑ|/2), which is |ϑ| to third order. Shape: 3. Units: rad.
+pub fn cayley<T: RealField + Copy>(rotation: &Vector3<T>) -> UnitQuaternion<T> {
+    let half = rotation * nalgebra::convert::<f64, T>(0.5);
+    let quaternion = Quaternion::from_parts(T::one(), half);
+    UnitQuaternion::new_unchecked(quaternion / quaternion.norm())
+}
+
+/// `orientation` followed by the [`cayley`] map of `rotation`, in the components of the frame that it turns.
+///
+/// The norm is taken of the product: a long row of turns stays a unit quaternion to the last digit, where a row of
+/// unit quaternions would lose a tenth of a unit in the last place with each. Shape: 3. Units: rad.
+pub fn turned<T: RealField + Copy>(
+    orientation: &UnitQuaternion<T>,
+    rotation: &Vector3<T>,
+) -> UnitQuaternion<T> {
+    let half = rotation * nalgebra::convert::<f64, T>(0.5);
+    let product = orientation.quaternion() * Quaternion::from_parts(T::one(), half);
+    UnitQuaternion::new_unchecked(product / product.norm())
+}
+
+/// The rate of the rotation vector c whose [`cayley`] map turns a frame, when it turns with ω in its own components.
+///
+/// ċ = ω + ½ c × ω + ¼ c (c · ω). Shape: 3. Units: rad/s. Frame: the turned one. Source: θ̇ = ½ θ ⊗ [0, ω] with
+/// θ proportional to (1, c/2).
+pub fn cayley_rate<T: RealField + Copy>(rotation: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
+    let half = rotation * nalgebra::convert::<f64, T>(0.5);
+    omega + half.cross(omega) + half * half.dot(omega)
+}
+
 /// The unit quaternion in the direction of `quaternion`, and the norm it had; `None` without a direction.
 pub(crate) fn normalised<T: RealField + Copy>(quaternion: Quaternion<T>) -> Option<(UnitQuaternion<T>, T)> {
     let norm = quaternion.norm();

@@ -8,7 +8,7 @@ use common::naive_body::{Invariants, NaiveBody};
 use common::tolerances::{REFERENCE_ACCELERATION, REFERENCE_MATRICES};
 use ffrf_runtime::forms::{EulerParameterForm, InertialForm, to_body, to_inertial};
 use ffrf_runtime::nalgebra::{Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
-use ffrf_runtime::{FlexibleBody, rotation};
+use ffrf_runtime::{DenseForms, FlexibleBody, rotation};
 use serde_json::Value;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/reference");

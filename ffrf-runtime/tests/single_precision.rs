@@ -12,7 +12,7 @@ macro_rules! bar {
     ($scalar:ty) => {{
         let zero = [[0.0; 3]; 3];
         let along = |x: $scalar| [[x, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.5]];
-        FreeBody::<_, 1, 7, $scalar>::new(NaiveBody::<1, 7, $scalar>::new(&Invariants {
+        FreeBody::<_, $scalar>::new(NaiveBody::<1, 7, $scalar>::new(&Invariants {
             mass: 2.0,
             centre_of_mass: [0.0; 3],
             modal_centre_of_mass: [[0.0; 3]],

@@ -53,8 +53,8 @@ impl<const P: usize, T: RealField + Copy> EulerParameterForm<P, T> {
 
     /// A J Z: Jacobian in [p; θ; q], of an inertial vector, from the body-resolved Jacobian J in [v; ω; q̇].
     ///
-    /// [`Marker::position_jacobian`](crate::Marker::position_jacobian) is this of
-    /// [`Marker::velocity_jacobian`](crate::Marker::velocity_jacobian). Shape: 3 x P. Source: (215). Panics: never.
+    /// [`marker_position_jacobian`](super::marker_position_jacobian) is this of
+    /// [`marker_velocity_jacobian`](super::marker_velocity_jacobian). Shape: 3 x P. Source: (215). Panics: never.
     pub fn jacobian<const N: usize>(
         orientation: &UnitQuaternion<T>,
         body: &SMatrix<T, 3, N>,

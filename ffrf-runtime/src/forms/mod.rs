@@ -2,7 +2,7 @@
 //!
 //! | form | unknowns | source |
 //! | --- | --- | --- |
-//! | body-resolved | [Aᵀp̈; ω̇; q̈], ω in the body frame | MATH.md; [`FlexibleBody`](crate::FlexibleBody) |
+//! | body-resolved | [Aᵀp̈; ω̇; q̈], ω in the body frame | `docs/theory/equations.md`; [`FlexibleBody`](crate::FlexibleBody) |
 //! | [`InertialForm`] | [p̈; A ω̇; q̈] | (203) with (204)-(209), corrected |
 //! | [`EulerParameterForm`] | [p̈; θ̈; q̈] | (214)-(217), corrected |
 //!
@@ -12,6 +12,10 @@
 
 mod euler_parameters;
 mod inertial;
+mod lever_arm;
+mod marker_forms;
 
 pub use euler_parameters::{EulerParameterForm, angular_velocity_matrix};
 pub use inertial::{InertialForm, to_body, to_inertial};
+pub use lever_arm::LeverArm;
+pub use marker_forms::{force_about, marker_position_jacobian, marker_velocity_jacobian};

@@ -6,7 +6,7 @@ use super::entries::{Entries, Square};
 use super::pivots::first_bad_pivot;
 use super::tolerances::{AGREEMENT, INDEPENDENCE, NEGATIVE, RIGID, limit};
 use super::{InvariantError, InvariantExpectation, InvariantIndex};
-use crate::generated_support::{columns, square_root};
+use crate::math::{columns, square_root};
 
 /// What the layout says about the transpose of a 3 x 3 matrix.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

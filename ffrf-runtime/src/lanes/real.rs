@@ -3,7 +3,7 @@
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use super::{ArrayLanes, HasLanes, Scalar};
-use crate::generated_support::{Number, constant};
+use crate::math::{Number, constant};
 
 /// A number whose constants are given in f64.
 #[derive(Debug, Clone, Copy, PartialEq)]

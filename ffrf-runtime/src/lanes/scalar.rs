@@ -3,7 +3,7 @@
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use super::{Four, HasLanes, Lanes};
-use crate::generated_support::{fused_multiply_add, fused_multiply_add_f32};
+use crate::math::{fused_multiply_add, fused_multiply_add_f32};
 
 /// A scalar with registers of four and eight lanes.
 ///

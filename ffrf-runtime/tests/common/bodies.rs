@@ -1,7 +1,7 @@
 //! Bodies for tests: clouds of point masses, so that all invariants are physical by construction.
 
 use ffrf_runtime::Marker;
-use ffrf_runtime::nalgebra::Vector3;
+use ffrf_runtime::nalgebra::{SVector, Vector3};
 
 use super::naive_body::{Invariants, NaiveBody};
 
@@ -13,16 +13,22 @@ pub fn cloud<const M: usize, const N: usize>(
     seed: u64,
     stiffness: f64,
     damping: f64,
-) -> (NaiveBody<M, N>, [Marker<M>; 8]) {
+) -> (NaiveBody<M, N>, [Marker<SVector<f64, M>>; 8]) {
     let mut random = Sequence(seed);
     let masses: [f64; 8] = core::array::from_fn(|_| 1.0 + 0.5 * random.next());
-    let mut markers = [Marker::<M>::rigid([0.0; 3]); 8];
+    let mut markers = [Marker::rigid(Vector3::zeros(), &SVector::zeros()); 8];
     for marker in &mut markers {
-        marker.position = core::array::from_fn(|_| 0.3 + random.next());
+        marker.position = Vector3::from_fn(|_, _| 0.3 + random.next());
     }
     for marker in &mut markers {
-        marker.translation = core::array::from_fn(|_| core::array::from_fn(|_| 0.5 * random.next()));
-        marker.rotation = core::array::from_fn(|_| core::array::from_fn(|_| 0.5 * random.next()));
+        // drawn mode by mode, kept axis by axis
+        for rows in [&mut marker.translation, &mut marker.rotation] {
+            for mu in 0..M {
+                for row in rows.iter_mut() {
+                    row[mu] = 0.5 * random.next();
+                }
+            }
+        }
     }
     (NaiveBody::new(&point_mass_invariants(&masses, &markers, stiffness, damping)), markers)
 }
@@ -36,12 +42,12 @@ pub fn cloud_masses(seed: u64) -> [f64; 8] {
 /// ∫ρ becomes a sum over points with these masses.
 fn point_mass_invariants<const M: usize>(
     masses: &[f64; 8],
-    points: &[Marker<M>; 8],
+    points: &[Marker<SVector<f64, M>>; 8],
     stiffness: f64,
     damping: f64,
 ) -> Invariants<M> {
     let total: f64 = masses.iter().sum();
-    let sum = |field: &dyn Fn(&Marker<M>) -> f64| -> f64 {
+    let sum = |field: &dyn Fn(&Marker<SVector<f64, M>>) -> f64| -> f64 {
         masses.iter().zip(points).map(|(mass, point)| mass * field(point)).sum()
     };
     let diagonal = |scale: f64| {
@@ -53,14 +59,14 @@ fn point_mass_invariants<const M: usize>(
         mass: total,
         centre_of_mass: core::array::from_fn(|i| sum(&|p| p.position[i]) / total),
         modal_centre_of_mass: core::array::from_fn(|mu| {
-            core::array::from_fn(|i| sum(&|p| p.translation[mu][i]) / total)
+            core::array::from_fn(|i| sum(&|p| p.translation[i][mu]) / total)
         }),
         euler_tensor: tensor(|i, j| sum(&|p| p.position[i] * p.position[j])),
         modal_euler_tensor: core::array::from_fn(|mu| {
-            tensor(|i, j| sum(&|p| p.position[i] * p.translation[mu][j]))
+            tensor(|i, j| sum(&|p| p.position[i] * p.translation[j][mu]))
         }),
         modal_pair_euler_tensor: core::array::from_fn(|mu| {
-            core::array::from_fn(|nu| tensor(|i, j| sum(&|p| p.translation[mu][i] * p.translation[nu][j])))
+            core::array::from_fn(|nu| tensor(|i, j| sum(&|p| p.translation[i][mu] * p.translation[j][nu])))
         }),
         stiffness: diagonal(stiffness),
         damping: diagonal(damping),

@@ -1,7 +1,7 @@
 //! A body whose frame origin is held, by the reaction force that keeps its acceleration zero.
 
-use ffrf_runtime::nalgebra::{Matrix3, SVector, Vector3};
-use ffrf_runtime::{FlexibleBody, Load, State};
+use ffrf_runtime::nalgebra::{Matrix3, Vector3};
+use ffrf_runtime::{FlexibleBody, GeneralisedForce, Load, State};
 
 /// A load, and the force at the frame origin that makes α = 0 under it.
 pub struct HeldAtOrigin<L>(pub L);
@@ -10,27 +10,21 @@ impl<L> HeldAtOrigin<L> {
     /// The reaction f̄ on the body. The accelerations are linear in it: α(f̄) = α(0) + G f̄ = 0.
     ///
     /// Shape: 3. Units: N. Frame: body.
-    pub fn reaction<B, const M: usize, const N: usize>(
-        &self,
-        body: &B,
-        time: f64,
-        state: &State<M>,
-    ) -> Vector3<f64>
+    pub fn reaction<B>(&self, body: &B, time: f64, state: &State<B::Modal>) -> Vector3<f64>
     where
-        B: FlexibleBody<M, N>,
-        L: Load<B, M, N>,
+        B: FlexibleBody,
+        L: Load<B, State<B::Modal>, GeneralisedForce<B::Modal>>,
     {
-        let mut force = SVector::<f64, N>::zeros();
+        let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
         self.0.add_to(body, time, state, &mut force);
-        let origin_acceleration = |force: &SVector<f64, N>| {
+        let origin_acceleration = |force: &GeneralisedForce<B::Modal>| {
             let State { modal_coordinates, angular_velocity, modal_rates, .. } = state;
-            let all = body.forward_dynamics(modal_coordinates, angular_velocity, modal_rates, force);
-            Vector3::new(all[0], all[1], all[2])
+            body.forward_dynamics(modal_coordinates, angular_velocity, modal_rates, force).linear
         };
         let free = origin_acceleration(&force);
         let columns = [0, 1, 2].map(|i| {
-            let mut with_unit_force = force;
-            with_unit_force[i] += 1.0;
+            let mut with_unit_force = force.clone();
+            with_unit_force.force[i] += 1.0;
             origin_acceleration(&with_unit_force) - free
         });
         let compliance = Matrix3::from_columns(&columns);
@@ -38,16 +32,13 @@ impl<L> HeldAtOrigin<L> {
     }
 }
 
-impl<B, L, const M: usize, const N: usize> Load<B, M, N> for HeldAtOrigin<L>
+impl<B, L> Load<B, State<B::Modal>, GeneralisedForce<B::Modal>> for HeldAtOrigin<L>
 where
-    B: FlexibleBody<M, N>,
-    L: Load<B, M, N>,
+    B: FlexibleBody,
+    L: Load<B, State<B::Modal>, GeneralisedForce<B::Modal>>,
 {
-    fn add_to(&self, body: &B, time: f64, state: &State<M>, force: &mut SVector<f64, N>) {
+    fn add_to(&self, body: &B, time: f64, state: &State<B::Modal>, force: &mut GeneralisedForce<B::Modal>) {
         self.0.add_to(body, time, state, force);
-        let reaction = self.reaction(body, time, state);
-        for i in 0..3 {
-            force[i] += reaction[i];
-        }
+        force.force += self.reaction(body, time, state);
     }
 }

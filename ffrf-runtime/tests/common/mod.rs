@@ -5,5 +5,6 @@ pub mod bodies;
 pub mod convergence;
 pub mod held;
 pub mod naive_body;
+pub mod provided;
 pub mod reference;
 pub mod tolerances;

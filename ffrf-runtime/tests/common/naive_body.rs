@@ -5,7 +5,9 @@
 //! benchmarks. It holds no tricks on purpose: a doubt about a kernel is settled by reading this file.
 
 use ffrf_runtime::nalgebra::{Cholesky, Matrix3, RealField, SMatrix, SVector, Vector3, convert};
-use ffrf_runtime::{EquationsOfMotion, FlexibleBody};
+use ffrf_runtime::{
+    DenseForms, EquationsOfMotion, FlexibleBody, GeneralisedForce, ModalMatrix, Motion, Observables, Prepared,
+};
 
 /// The inertia invariants (206) with modal stiffness and damping, as plain arrays about the frame origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,7 +114,67 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
     }
 }
 
-impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<M, N, T> for NaiveBody<M, N, T> {
+/// All of it from the dense forms below: the accelerations do not take the way over [`Prepared`].
+impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<T> for NaiveBody<M, N, T> {
+    type Modal = SVector<T, M>;
+
+    fn undeformed(&self) -> SVector<T, M> {
+        SVector::zeros()
+    }
+
+    fn modal_mass(&self) -> ModalMatrix<SVector<T, M>, T> {
+        ModalMatrix::Dense(self.modal_mass)
+    }
+
+    fn stiffness(&self) -> ModalMatrix<SVector<T, M>, T> {
+        ModalMatrix::Dense(self.stiffness)
+    }
+
+    fn damping(&self) -> ModalMatrix<SVector<T, M>, T> {
+        ModalMatrix::Dense(self.damping)
+    }
+
+    fn prepare(
+        &self,
+        q: &SVector<T, M>,
+        omega: &Vector3<T>,
+        q_dot: &SVector<T, M>,
+    ) -> Prepared<SVector<T, M>, T> {
+        Prepared {
+            mass: self.mass,
+            first_moment: self.centre(q) * self.mass,
+            inertia: self.deformed_inertia(q),
+            modal_first_moment: rows(&(self.modal_centre_of_mass * self.mass)),
+            rotation_modal_coupling: rows(&self.rotation_modal_coupling(q)),
+            quadratic_velocity: GeneralisedForce::from_vector(&self.quadratic_velocity(q, omega, q_dot)),
+            internal_force: self.internal_force(q, q_dot),
+        }
+    }
+
+    fn forward_dynamics(
+        &self,
+        q: &SVector<T, M>,
+        omega: &Vector3<T>,
+        q_dot: &SVector<T, M>,
+        force: &GeneralisedForce<SVector<T, M>, T>,
+    ) -> Motion<SVector<T, M>, T> {
+        Motion::from_vector(&self.equations_of_motion(q, omega, q_dot, &force.to_vector()).acceleration)
+    }
+
+    fn internal_force(&self, q: &SVector<T, M>, q_dot: &SVector<T, M>) -> SVector<T, M> {
+        self.stiffness * q + self.damping * q_dot
+    }
+
+    fn gravity_force(&self, q: &SVector<T, M>, gravity: &Vector3<T>) -> GeneralisedForce<SVector<T, M>, T> {
+        GeneralisedForce {
+            force: gravity * self.mass,
+            moment: self.centre(q).cross(gravity) * self.mass,
+            modal: self.modal_centre_of_mass.tr_mul(gravity) * self.mass,
+        }
+    }
+}
+
+impl<const M: usize, const N: usize, T: RealField + Copy> DenseForms<M, N, T> for NaiveBody<M, N, T> {
     fn mass_matrix(&self, q: &SVector<T, M>) -> SMatrix<T, N, N> {
         let translation_rotation = -self.centre(q).cross_matrix() * self.mass;
         let translation_modal = self.modal_centre_of_mass * self.mass;
@@ -159,16 +221,6 @@ impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<M, N, T> 
         result
     }
 
-    fn forward_dynamics(
-        &self,
-        q: &SVector<T, M>,
-        omega: &Vector3<T>,
-        q_dot: &SVector<T, M>,
-        force: &SVector<T, N>,
-    ) -> SVector<T, N> {
-        self.equations_of_motion(q, omega, q_dot, force).acceleration
-    }
-
     fn equations_of_motion(
         &self,
         q: &SVector<T, M>,
@@ -190,7 +242,9 @@ impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<M, N, T> 
         };
         EquationsOfMotion { mass_matrix, quadratic_velocity, acceleration }
     }
+}
 
+impl<const M: usize, const N: usize, T: RealField + Copy> Observables<T> for NaiveBody<M, N, T> {
     fn kinetic_energy(
         &self,
         q: &SVector<T, M>,
@@ -234,25 +288,18 @@ impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<M, N, T> 
             + self.rotation_modal_coupling(q) * q_dot
     }
 
-    fn internal_force(&self, q: &SVector<T, M>, q_dot: &SVector<T, M>) -> SVector<T, M> {
-        self.stiffness * q + self.damping * q_dot
+    fn mass(&self) -> T {
+        self.mass
     }
 
-    fn gravity_force(&self, q: &SVector<T, M>, gravity: &Vector3<T>) -> SVector<T, N> {
-        let mut force = SVector::<T, N>::zeros();
-        force.fixed_rows_mut::<3>(0).copy_from(&(gravity * self.mass));
-        force.fixed_rows_mut::<3>(3).copy_from(&(self.centre(q).cross(gravity) * self.mass));
-        force.fixed_rows_mut::<M>(6).copy_from(&(self.modal_centre_of_mass.tr_mul(gravity) * self.mass));
-        force
+    fn first_mass_moment(&self, q: &SVector<T, M>) -> Vector3<T> {
+        self.centre(q) * self.mass
     }
+}
 
-    fn stiffness_matrix(&self) -> SMatrix<T, M, M> {
-        self.stiffness
-    }
-
-    fn damping_matrix(&self) -> SMatrix<T, M, M> {
-        self.damping
-    }
+/// The rows of `matrix`.
+fn rows<const M: usize, T: RealField + Copy>(matrix: &SMatrix<T, 3, M>) -> [SVector<T, M>; 3] {
+    [0, 1, 2].map(|row| matrix.row(row).transpose())
 }
 
 /// The matrix with these rows.

@@ -40,7 +40,7 @@ fn rows<const R: usize, const C: usize>(value: &Value) -> [[f64; C]; R] {
 }
 
 /// The body of the file's invariants, in the state of its first sample.
-pub fn start<const M: usize, const N: usize>(file: &Value) -> FreeBody<NaiveBody<M, N>, M, N> {
+pub fn start<const M: usize, const N: usize>(file: &Value) -> FreeBody<NaiveBody<M, N>> {
     let (value, sample) = (&file["invariants"], &file["samples"][0]);
     let invariants = Invariants {
         mass: number(&value["m"]),
@@ -73,7 +73,7 @@ pub fn gravity(file: &Value) -> Gravity {
 
 /// What a sample holds, block by block.
 fn blocks<const M: usize, const N: usize>(
-    body: &FreeBody<NaiveBody<M, N>, M, N>,
+    body: &FreeBody<NaiveBody<M, N>>,
     gravity: &Gravity,
 ) -> [(&'static str, Vec<f64>); 9] {
     let state = &body.state;
@@ -112,7 +112,7 @@ fn expected_block(sample: &Value, name: &str) -> Vec<f64> {
 pub fn follow<const M: usize, const N: usize>(
     file: &Value,
     step: f64,
-    mut advance: impl FnMut(&mut FreeBody<NaiveBody<M, N>, M, N>, f64, &Gravity),
+    mut advance: impl FnMut(&mut FreeBody<NaiveBody<M, N>>, f64, &Gravity),
 ) -> (f64, &'static str) {
     let samples = file["samples"].as_array().unwrap();
     assert!(samples.len() > 1, "a trajectory has more than its start");

@@ -1,0 +1,10 @@
+//! Mechanisms: in which order their equations are solved, and where every number of them stands.
+
+mod elimination_order;
+mod places;
+mod topology;
+
+pub use places::{
+    BlockPlace, BodyPlace, CouplingPlace, EndPlace, JointPlace, MechanismPlan, SharedPlace, StepPlace,
+};
+pub use topology::{JointTopology, Topology, TopologyError};

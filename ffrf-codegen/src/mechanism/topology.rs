@@ -1,0 +1,106 @@
+//! Which bodies a mechanism has and which joints connect them: all that the order of elimination depends on.
+
+use thiserror::Error;
+
+/// The most rows of one joint.
+pub const MOST_ROWS: usize = 6;
+
+/// Bodies and joints of a mechanism.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Topology {
+    /// For each body, whether it has modes: joints on a flexible body are coupled through them.
+    pub flexible: Vec<bool>,
+    /// The joints.
+    pub joints: Vec<JointTopology>,
+}
+
+/// A joint between two bodies, or a body and the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointTopology {
+    /// Number of rows, 1 to 6.
+    pub rows: usize,
+    /// The bodies at its first and second end; `None` for the ground.
+    pub ends: [Option<usize>; 2],
+}
+
+/// Why a mechanism cannot be composed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum TopologyError {
+    /// A joint without rows, or with too many.
+    #[error("joint {joint}: expected 1 to {MOST_ROWS} rows, found {found}")]
+    Rows {
+        /// The joint.
+        joint: usize,
+        /// The number of rows found.
+        found: usize,
+    },
+    /// A joint that connects nothing to anything.
+    #[error("joint {joint}: both ends are the ground")]
+    Ground {
+        /// The joint.
+        joint: usize,
+    },
+    /// A joint of a body with itself.
+    #[error("joint {joint}: both ends are body {body}")]
+    SameBody {
+        /// The joint.
+        joint: usize,
+        /// The body.
+        body: usize,
+    },
+    /// A body that does not exist.
+    #[error("joint {joint}: body {found} does not exist, there are {count}")]
+    NoSuchBody {
+        /// The joint.
+        joint: usize,
+        /// The body found.
+        found: usize,
+        /// The number of bodies.
+        count: usize,
+    },
+}
+
+impl Topology {
+    /// Whether every joint connects two different things that exist.
+    pub fn check(&self) -> Result<(), TopologyError> {
+        let count = self.flexible.len();
+        for (joint, JointTopology { rows, ends }) in self.joints.iter().enumerate() {
+            if !(1..=MOST_ROWS).contains(rows) {
+                return Err(TopologyError::Rows { joint, found: *rows });
+            }
+            if let Some(found) = ends.iter().flatten().copied().find(|body| *body >= count) {
+                return Err(TopologyError::NoSuchBody { joint, found, count });
+            }
+            match ends {
+                [None, None] => return Err(TopologyError::Ground { joint }),
+                [Some(body), Some(other)] if body == other => {
+                    return Err(TopologyError::SameBody { joint, body: *body });
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether bodies and joints form loops, through the ground or without it: then constraint rows may be redundant.
+    pub fn has_loops(&self) -> bool {
+        // joining sets of connected bodies; the ground is one more
+        let ground = self.flexible.len();
+        let mut leader: Vec<usize> = (0..=ground).collect();
+        let find = |leader: &[usize], mut body: usize| {
+            while leader[body] != body {
+                body = leader[body];
+            }
+            body
+        };
+        for joint in &self.joints {
+            let [first, second] = joint.ends.map(|end| find(&leader, end.unwrap_or(ground)));
+            if first == second {
+                return true;
+            }
+            leader[first] = second;
+        }
+        false
+    }
+}

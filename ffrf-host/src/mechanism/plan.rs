@@ -1,0 +1,96 @@
+//! The generator's plan of a mechanism in the runtime's types.
+
+use ffrf_codegen::mechanism::{BlockPlace, MechanismPlan};
+use ffrf_runtime::mechanism::{
+    Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
+};
+
+/// A plan that owns its lists.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct OwnedPlan {
+    steps: Vec<Step>,
+    couplings: Vec<Coupling>,
+    targets: Vec<usize>,
+    bodies: Vec<BodyPlace>,
+    joints: Vec<JointPlace>,
+    shared: Vec<SharedPlace>,
+    pub(super) value_count: usize,
+    pub(super) unknown_count: usize,
+    pub(super) attached_rows: Vec<usize>,
+}
+
+impl OwnedPlan {
+    pub(super) fn new(plan: &MechanismPlan) -> Self {
+        let block = |block: BlockPlace| Block {
+            start: block.start,
+            columns: block.columns,
+            transposed: block.transposed,
+        };
+        Self {
+            steps: plan
+                .steps
+                .iter()
+                .map(|step| Step {
+                    size: step.size,
+                    unknowns: step.unknowns,
+                    diagonal: step.diagonal,
+                    couplings: step.couplings,
+                    targets: step.targets,
+                })
+                .collect(),
+            couplings: plan
+                .couplings
+                .iter()
+                .map(|coupling| Coupling {
+                    size: coupling.size,
+                    unknowns: coupling.unknowns,
+                    block: coupling.block,
+                })
+                .collect(),
+            targets: plan.targets.clone(),
+            bodies: plan
+                .bodies
+                .iter()
+                .map(|body| BodyPlace { unknowns: body.unknowns, diagonal: body.diagonal })
+                .collect(),
+            joints: plan
+                .joints
+                .iter()
+                .map(|joint| JointPlace {
+                    rows: joint.rows,
+                    unknowns: joint.unknowns,
+                    diagonal: joint.diagonal,
+                    ends: joint.ends.map(|end| {
+                        end.map(|end| EndPlace { body: end.body, slot: end.slot, block: block(end.block) })
+                    }),
+                })
+                .collect(),
+            shared: plan
+                .shared
+                .iter()
+                .map(|shared| SharedPlace {
+                    body: shared.body,
+                    first: shared.first,
+                    second: shared.second,
+                    block: block(shared.block),
+                })
+                .collect(),
+            value_count: plan.value_count,
+            unknown_count: plan.unknown_count,
+            attached_rows: plan.attached_rows.clone(),
+        }
+    }
+
+    pub(super) fn view(&self) -> Plan<'_> {
+        Plan {
+            elimination: Elimination {
+                steps: &self.steps,
+                couplings: &self.couplings,
+                targets: &self.targets,
+            },
+            bodies: &self.bodies,
+            joints: &self.joints,
+            shared: &self.shared,
+        }
+    }
+}

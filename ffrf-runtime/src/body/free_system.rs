@@ -1,0 +1,106 @@
+//! A free body under a load, as a system that integrators advance.
+
+use nalgebra::RealField;
+
+use super::{FlexibleBody, GeneralisedForce, ImplicitBody, Increment, ModalVector, State};
+use crate::forces::Load;
+use crate::integrators::{LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace};
+
+/// A body without joints and what pushes it.
+#[derive(Debug, Clone, Copy)]
+pub struct FreeSystem<'a, B, L> {
+    /// The body.
+    pub body: &'a B,
+    /// What pushes it.
+    pub load: &'a L,
+}
+
+impl<V: ModalVector<T>, T: RealField + Copy> VectorSpace<T> for Increment<V, T> {
+    fn add_scaled(&mut self, factor: T, other: &Self) {
+        self.add_scaled(factor, other);
+    }
+
+    fn scale(&mut self, factor: T) {
+        self.scale(factor);
+    }
+}
+
+impl<B, L, T> System<T> for FreeSystem<'_, B, L>
+where
+    B: FlexibleBody<T>,
+    L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+    T: RealField + Copy,
+{
+    type State = State<B::Modal, T>;
+    type Increment = Increment<B::Modal, T>;
+
+    fn is_finite(&self, state: &Self::State) -> bool {
+        state.is_finite()
+    }
+
+    fn no_change(&self, state: &Self::State) -> Self::Increment {
+        Increment::zeros(&state.modal_coordinates)
+    }
+
+    fn retract(&self, origin: &Self::State, increment: &Self::Increment) -> Self::State {
+        origin.retract(increment)
+    }
+
+    fn rates(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+    ) -> Result<Self::Increment, StepError> {
+        let state = origin.retract(increment);
+        let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
+        self.load.add_to(self.body, time, &state, &mut force);
+        let State { modal_coordinates, angular_velocity, modal_rates, .. } = &state;
+        let accelerations =
+            self.body.forward_dynamics(modal_coordinates, angular_velocity, modal_rates, &force);
+        Ok(increment.rate(&state, accelerations))
+    }
+
+    fn local_error(&self, difference: &Self::Increment) -> LocalError<T> {
+        difference.local_error()
+    }
+
+    fn weighted_error(
+        &self,
+        state: &Self::State,
+        difference: &Self::Increment,
+        tolerances: &Tolerances<T>,
+    ) -> T {
+        let (sum, count) = difference.weighted_squares(state, tolerances);
+        (sum / count).sqrt()
+    }
+
+    fn largest_stable_step(&self) -> Option<T> {
+        self.body.largest_stable_step()
+    }
+}
+
+impl<B, L, T> StiffSystem<T> for FreeSystem<'_, B, L>
+where
+    B: FlexibleBody<T>,
+    L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+    T: RealField + Copy,
+{
+    fn implicit_rates(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+        gamma_h: T,
+        subtracted: Option<&Self::Increment>,
+    ) -> Result<Self::Increment, StepError> {
+        let state = origin.retract(increment);
+        let stage = ImplicitBody::new(self.body, &state, gamma_h).ok_or(StepError::MassNotPositive)?;
+        let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
+        self.load.add_to(self.body, time, &state, &mut force);
+        let right = stage.right(self.body, &state, &force, subtracted);
+        let factors = stage.eliminated.factor().ok_or(StepError::MassNotPositive)?;
+        let accelerations = factors.solve(&right);
+        Ok(increment.implicit_rate(&state, accelerations, gamma_h, subtracted))
+    }
+}

@@ -1,0 +1,79 @@
+//! One body in a stage of a linearly implicit step.
+
+use nalgebra::RealField;
+
+use super::{Eliminated, FlexibleBody, GeneralisedForce, Increment, ModalVector, Motion, Prepared, State};
+
+/// The deformed quantities of a stage, with γ h D_ff + γ² h² K_ff added to Θ_ff.
+#[derive(Debug, Clone)]
+pub(crate) struct ImplicitBody<V: ModalVector<T>, T: RealField + Copy> {
+    pub(crate) prepared: Prepared<V, T>,
+    pub(crate) eliminated: Eliminated<V, T>,
+    gamma_h: T,
+}
+
+impl<V: ModalVector<T>, T: RealField + Copy> ImplicitBody<V, T> {
+    /// `None` if the modal mass with the implicit terms is not positive definite.
+    pub(crate) fn new<B>(body: &B, state: &State<V, T>, gamma_h: T) -> Option<Self>
+    where
+        B: FlexibleBody<T, Modal = V>,
+    {
+        let prepared = body.prepare(&state.modal_coordinates, &state.angular_velocity, &state.modal_rates);
+        let modal =
+            body.modal_mass().plus(gamma_h, &body.damping()).plus(gamma_h * gamma_h, &body.stiffness());
+        let eliminated = prepared.eliminate(modal.factor()?);
+        Some(Self { prepared, eliminated, gamma_h })
+    }
+
+    /// M(q) r - γ h [0; 0; K_ff r_q], where r is the accelerations under `force` less what is subtracted.
+    pub(crate) fn right<B>(
+        &self,
+        body: &B,
+        state: &State<V, T>,
+        force: &GeneralisedForce<V, T>,
+        subtracted: Option<&Increment<V, T>>,
+    ) -> GeneralisedForce<V, T>
+    where
+        B: FlexibleBody<T, Modal = V>,
+    {
+        let mut right = self.prepared.net_force(force);
+        let mut moved = state.modal_rates.clone();
+        if let Some(subtracted) = subtracted {
+            let motion = subtracted.velocities(state);
+            right.add_scaled(-T::one(), &self.prepared.mass_times(&body.modal_mass(), &motion));
+            moved.add_scaled(-T::one(), &subtracted.modal_coordinates);
+        }
+        right.modal.add_scaled(-self.gamma_h, &body.stiffness().product(&moved));
+        right
+    }
+}
+
+impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
+    /// The parts of the velocities, resolved in the body frame of `state`.
+    pub(crate) fn velocities(&self, state: &State<V, T>) -> Motion<V, T> {
+        Motion {
+            linear: state.to_body(&self.velocity),
+            angular: self.angular_velocity,
+            modal: self.modal_rates.clone(),
+        }
+    }
+
+    /// [`rate`](Self::rate) of a linearly implicit stage: the modal coordinates see the end of it, less what is subtracted.
+    pub fn implicit_rate(
+        &self,
+        state: &State<V, T>,
+        accelerations: Motion<V, T>,
+        gamma_h: T,
+        subtracted: Option<&Self>,
+    ) -> Self {
+        let modal_rates = accelerations.modal.clone();
+        let mut rate = self.rate(state, accelerations);
+        rate.modal_coordinates.add_scaled(gamma_h, &modal_rates);
+        if let Some(subtracted) = subtracted {
+            rate.position -= subtracted.position;
+            rate.rotation -= subtracted.rotation;
+            rate.modal_coordinates.add_scaled(-T::one(), &subtracted.modal_coordinates);
+        }
+        rate
+    }
+}

@@ -1,0 +1,13 @@
+//! Markers by name, for bodies that have some.
+
+use nalgebra::RealField;
+
+use super::{FlexibleBody, Marker};
+
+/// The markers of a body by their names in the model. Generated bodies have each as a constant as well.
+pub trait NamedMarkers<T: RealField + Copy = f64>: FlexibleBody<T> {
+    /// The names, in the order of the model.
+    fn marker_names(&self) -> &'static [&'static str];
+    /// The marker called `name`, or `None`. A search by name: look markers up before the simulation starts.
+    fn marker(&self, name: &str) -> Option<Marker<Self::Modal, T>>;
+}

@@ -1,0 +1,111 @@
+//! What an integrator needs of a system, whether that is one free body, several, or a mechanism.
+
+use nalgebra::RealField;
+
+use super::step::{Drift, LocalError, StepError, Tolerances};
+
+/// Changes of a state: a vector space.
+pub trait VectorSpace<T>: Clone {
+    /// Adds `factor * other`.
+    fn add_scaled(&mut self, factor: T, other: &Self);
+    /// Multiplies by `factor`.
+    fn scale(&mut self, factor: T);
+}
+
+/// A system of ordinary differential equations on a space with rotations.
+///
+/// A step works with increments, vectors in the chart about the state at its beginning: sums where the state is a vector,
+/// the Cayley map where it is a rotation. In the chart the equations are plain differential equations, so every method
+/// keeps its order, and a rotation stays a rotation.
+pub trait System<T: RealField + Copy> {
+    /// Where the system is and how it moves.
+    type State: Clone;
+    /// A change of the state, or the rate of one.
+    type Increment: VectorSpace<T>;
+
+    /// Whether every number of the state is finite.
+    fn is_finite(&self, state: &Self::State) -> bool;
+    /// No change of `state`.
+    fn no_change(&self, state: &Self::State) -> Self::Increment;
+    /// The state that `increment` leads to from `origin`.
+    fn retract(&self, origin: &Self::State, increment: &Self::Increment) -> Self::State;
+    /// The rate of the increment in the chart about `origin`, at the state that `increment` leads to.
+    ///
+    /// Errors: no accelerations exist there, see [`StepError`].
+    fn rates(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+    ) -> Result<Self::Increment, StepError>;
+    /// The size of `difference` by kind of coordinate: an estimate of the error of a step.
+    fn local_error(&self, difference: &Self::Increment) -> LocalError<T>;
+    /// The root mean square of `difference` over the tolerance of each component; below one is within tolerance.
+    fn weighted_error(
+        &self,
+        state: &Self::State,
+        difference: &Self::Increment,
+        tolerances: &Tolerances<T>,
+    ) -> T;
+
+    /// Meets the constraints again at the end of a step and says how far it was from them; free bodies have none.
+    ///
+    /// `gamma_h`: of the last stage of a linearly implicit step, whose metric the correction then has. Units: s.
+    ///
+    /// Errors: the constraints cannot be met from here.
+    fn settle(
+        &self,
+        time: T,
+        state: Self::State,
+        gamma_h: Option<T>,
+    ) -> Result<(Self::State, Drift<T>), StepError> {
+        let _ = (time, gamma_h);
+        Ok((state, Drift::none()))
+    }
+
+    /// The largest step of [`step_rk4`](super::step_rk4) that keeps the vibration bounded, if it is known. Units: s.
+    fn largest_stable_step(&self) -> Option<T> {
+        None
+    }
+}
+
+/// A system whose stiff part, modal stiffness and damping, can be taken implicitly.
+pub trait StiffSystem<T: RealField + Copy>: System<T> {
+    /// One stage of a Rosenbrock method: k of (I - γ h J) k = f - `subtracted`, at the state that `increment` leads to.
+    ///
+    /// J holds the modal stiffness and damping at that state, nothing else; with constraints, k keeps their velocity level
+    /// to second order. `gamma_h`: s.
+    ///
+    /// Errors: see [`StepError`].
+    fn implicit_rates(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+        gamma_h: T,
+        subtracted: Option<&Self::Increment>,
+    ) -> Result<Self::Increment, StepError>;
+}
+
+/// The last thing every step does: the new state with its report, or why there is none.
+pub(super) fn finish<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    time: T,
+    origin: &S::State,
+    slope: &S::Increment,
+    error: &S::Increment,
+    gamma_h: Option<T>,
+) -> Result<(S::State, super::StepReport<T>), StepError> {
+    let refused = || StepError::NonFiniteResult {
+        largest_stable_step: system.largest_stable_step().and_then(nalgebra::try_convert),
+    };
+    let state = system.retract(origin, slope);
+    if !system.is_finite(&state) {
+        return Err(refused());
+    }
+    let (state, drift) = system.settle(time, state, gamma_h)?;
+    if !system.is_finite(&state) {
+        return Err(refused());
+    }
+    Ok((state, super::StepReport { local_error: system.local_error(error), drift }))
+}

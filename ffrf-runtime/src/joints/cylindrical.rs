@@ -1,0 +1,24 @@
+//! The z axes are one line: one rotation and the travel along it are left.
+
+use nalgebra::RealField;
+
+use super::{Joint, JointShape};
+use crate::body::MarkerMotion;
+use crate::relations::{Rows, in_line, parallel};
+
+/// The z axes are one line: one rotation and the travel along it are left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Cylindrical;
+
+impl JointShape for Cylindrical {
+    const ROWS: &'static [&'static str] = &["translation x", "translation y", "rotation x", "rotation y"];
+}
+
+impl<T: RealField + Copy> Joint<T> for Cylindrical {
+    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
+        let mut rows = Rows::none();
+        in_line(&mut rows, first, second);
+        parallel(&mut rows, first, second);
+        rows
+    }
+}

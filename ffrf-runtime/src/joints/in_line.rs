@@ -1,0 +1,23 @@
+//! The second origin stays on the z axis of the first triad.
+
+use nalgebra::RealField;
+
+use super::{Joint, JointShape};
+use crate::body::MarkerMotion;
+use crate::relations::{Rows, in_line};
+
+/// The second origin stays on the z axis of the first triad.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct InLine;
+
+impl JointShape for InLine {
+    const ROWS: &'static [&'static str] = &["translation x", "translation y"];
+}
+
+impl<T: RealField + Copy> Joint<T> for InLine {
+    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
+        let mut rows = Rows::none();
+        in_line(&mut rows, first, second);
+        rows
+    }
+}

@@ -1,0 +1,25 @@
+//! The origins coincide and the z axes agree: one rotation is left.
+
+use nalgebra::RealField;
+
+use super::{Joint, JointShape};
+use crate::body::MarkerMotion;
+use crate::relations::{Rows, coincident, parallel};
+
+/// The origins coincide and the z axes agree: one rotation is left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Revolute;
+
+impl JointShape for Revolute {
+    const ROWS: &'static [&'static str] =
+        &["translation x", "translation y", "translation z", "rotation x", "rotation y"];
+}
+
+impl<T: RealField + Copy> Joint<T> for Revolute {
+    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
+        let mut rows = Rows::none();
+        coincident(&mut rows, first, second);
+        parallel(&mut rows, first, second);
+        rows
+    }
+}

@@ -1,0 +1,220 @@
+//! The workspace of one body in a mechanism.
+
+use nalgebra::{RealField, Vector3, Vector6};
+
+use super::Port;
+use crate::body::{
+    Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, ModalVector,
+    Motion, PlacedMarker, State, Wrench,
+};
+use crate::integrators::StepError;
+
+/// A constraint row on one body: its gradient to the modes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AttachedRow<V> {
+    /// Modal part of the gradient. Shape: M.
+    modal: V,
+    /// Θ_ff⁻¹ times that. Shape: M.
+    weighted: V,
+}
+
+impl<V: Clone> AttachedRow<V> {
+    /// A row without effect.
+    pub fn empty(zeros: &V) -> Self {
+        Self { modal: zeros.clone(), weighted: zeros.clone() }
+    }
+}
+
+/// What a linearly implicit stage adds to an evaluation.
+#[derive(Debug)]
+pub struct ImplicitTerms<'a, I, T> {
+    /// γ h. Units: s.
+    pub gamma_h: T,
+    /// What is subtracted from the rates.
+    pub subtracted: Option<&'a I>,
+}
+
+impl<I, T: Copy> Clone for ImplicitTerms<'_, I, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<I, T: Copy> Copy for ImplicitTerms<'_, I, T> {}
+
+/// One body in one state, with its forces and the rows of its joints; `R` holds as many rows as joints have there.
+#[derive(Debug, Clone)]
+pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
+    body: &'a B,
+    markers: &'a [Marker<B::Modal, T>],
+    /// The state of this evaluation.
+    pub state: State<B::Modal, T>,
+    /// Force of loads and force elements so far.
+    pub force: GeneralisedForce<B::Modal, T>,
+    /// The result: accelerations, or a correction of place or velocities.
+    pub motion: Motion<B::Modal, T>,
+    implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
+    rows: R,
+    eliminated: Option<Eliminated<B::Modal, T>>,
+    net: GeneralisedForce<B::Modal, T>,
+    alone: B::Modal,
+}
+
+impl<'a, B, R, T> BodyPort<'a, B, R, T>
+where
+    B: FlexibleBody<T>,
+    R: AsRef<[AttachedRow<B::Modal>]> + AsMut<[AttachedRow<B::Modal>]>,
+    T: RealField + Copy,
+{
+    /// A body in a state, without forces.
+    pub fn new(
+        body: &'a B,
+        markers: &'a [Marker<B::Modal, T>],
+        state: State<B::Modal, T>,
+        rows: R,
+        implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
+    ) -> Self {
+        let zeros = body.undeformed();
+        Self {
+            body,
+            markers,
+            state,
+            force: GeneralisedForce::zeros(&zeros),
+            motion: Motion::zeros(&zeros),
+            implicit,
+            rows,
+            eliminated: None,
+            net: GeneralisedForce::zeros(&zeros),
+            alone: zeros,
+        }
+    }
+
+    /// The rate of `increment`, which has led to this state, from the resulting accelerations.
+    pub fn rate(&self, increment: &Increment<B::Modal, T>) -> Increment<B::Modal, T> {
+        let accelerations = self.motion.clone();
+        match self.implicit {
+            None => increment.rate(&self.state, accelerations),
+            Some(ImplicitTerms { gamma_h, subtracted }) => {
+                increment.implicit_rate(&self.state, accelerations, gamma_h, subtracted)
+            }
+        }
+    }
+
+    fn placed(&self, marker: usize) -> Option<PlacedMarker<'a, B::Modal, T>> {
+        self.markers.get(marker).map(|marker| PlacedMarker::new(marker, &self.state))
+    }
+
+    fn twist(&self, marker: usize, motion: &Motion<B::Modal, T>) -> [Vector3<T>; 2] {
+        self.placed(marker).map_or([Vector3::zeros(); 2], |placed| placed.twist(motion))
+    }
+}
+
+impl<B, R, T> Port<T> for BodyPort<'_, B, R, T>
+where
+    B: FlexibleBody<T>,
+    R: AsRef<[AttachedRow<B::Modal>]> + AsMut<[AttachedRow<B::Modal>]>,
+    T: RealField + Copy,
+{
+    fn marker_motion(&self, marker: usize) -> MarkerMotion<T> {
+        match self.placed(marker) {
+            Some(placed) => placed.motion(&self.state),
+            None => MarkerMotion::fixed(self.state.position, self.state.orientation),
+        }
+    }
+
+    fn push(&mut self, marker: usize, wrench: &Wrench<T>) {
+        if let Some(placed) = self.placed(marker) {
+            self.force.add_scaled(T::one(), &placed.generalised_force(wrench));
+        }
+    }
+
+    fn weigh(&mut self, gravity: &Vector3<T>) {
+        let resolved = self.state.to_body(gravity);
+        let weight = self.body.gravity_force(&self.state.modal_coordinates, &resolved);
+        self.force.add_scaled(T::one(), &weight);
+    }
+
+    fn factor(&mut self) -> Result<(), StepError> {
+        let (body, state) = (self.body, &self.state);
+        let eliminated = match self.implicit {
+            None => {
+                let prepared =
+                    body.prepare(&state.modal_coordinates, &state.angular_velocity, &state.modal_rates);
+                self.net = prepared.net_force(&self.force);
+                body.modal_mass().factor().map(|modal| prepared.eliminate(modal))
+            }
+            Some(ImplicitTerms { gamma_h, subtracted }) => {
+                ImplicitBody::new(body, state, gamma_h).map(|stage| {
+                    self.net = stage.right(body, state, &self.force, subtracted);
+                    stage.eliminated
+                })
+            }
+        };
+        self.eliminated = eliminated;
+        if self.eliminated.is_some() { Ok(()) } else { Err(StepError::MassNotPositive) }
+    }
+
+    fn rigid_mass(&self) -> [[T; 6]; 6] {
+        self.eliminated.as_ref().map_or([[T::zero(); 6]; 6], |eliminated| eliminated.remaining.into())
+    }
+
+    fn attach(&mut self, slot: usize, marker: usize, gradient: &Wrench<T>) -> [T; 6] {
+        let (Some(placed), Some(eliminated)) = (self.placed(marker), &self.eliminated) else {
+            return [T::zero(); 6];
+        };
+        let force = placed.generalised_force(gradient);
+        let rigid = eliminated.reduced_force(&force);
+        let weighted = eliminated.modal.solve(&force.modal);
+        if let Some(row) = self.rows.as_mut().get_mut(slot) {
+            *row = AttachedRow { modal: force.modal, weighted };
+        }
+        rigid.into()
+    }
+
+    fn compliance(&self, slot: usize, other: usize) -> T {
+        let rows = self.rows.as_ref();
+        match (rows.get(slot), rows.get(other)) {
+            (Some(row), Some(other)) => row.modal.dot(&other.weighted),
+            _ => T::zero(),
+        }
+    }
+
+    fn reduced_force(&mut self) -> [T; 6] {
+        let Some(eliminated) = &self.eliminated else { return [T::zero(); 6] };
+        self.alone = eliminated.modal.solve(&self.net.modal);
+        eliminated.reduced_force(&self.net).into()
+    }
+
+    fn without_force(&mut self) {
+        self.alone = self.body.undeformed();
+    }
+
+    fn modal_acceleration(&self, slot: usize) -> T {
+        self.rows.as_ref().get(slot).map_or(T::zero(), |row| row.modal.dot(&self.alone))
+    }
+
+    fn subtracted_twist(&self, marker: usize) -> [Vector3<T>; 2] {
+        match self.implicit {
+            Some(ImplicitTerms { subtracted: Some(subtracted), .. }) => {
+                self.twist(marker, &subtracted.velocities(&self.state))
+            }
+            _ => [Vector3::zeros(); 2],
+        }
+    }
+
+    fn finish(&mut self, rigid: &[T; 6]) {
+        if let Some(eliminated) = &self.eliminated {
+            self.motion = eliminated.with_modes(&Vector6::from(*rigid), self.alone.clone());
+        }
+    }
+
+    fn follow(&mut self, slot: usize, multiplier: T) {
+        if let Some(row) = self.rows.as_ref().get(slot) {
+            self.motion.modal.add_scaled(multiplier, &row.weighted);
+        }
+    }
+
+    fn resulting_twist(&self, marker: usize) -> [Vector3<T>; 2] {
+        self.twist(marker, &self.motion)
+    }
+}

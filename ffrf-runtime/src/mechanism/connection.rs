@@ -1,0 +1,43 @@
+//! Joints with what they connect.
+
+use nalgebra::{RealField, UnitQuaternion, Vector3};
+
+use super::Ports;
+use crate::body::MarkerMotion;
+use crate::joints::JointKind;
+
+/// One end of a joint, force element or sensor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attachment<T: RealField + Copy = f64> {
+    /// The body, or `None` for the ground.
+    pub body: Option<usize>,
+    /// The marker of that body.
+    pub marker: usize,
+    /// Position on the ground. Shape: 3. Units: m. Frame: inertial. Of no effect on bodies: that is the marker's.
+    pub position: Vector3<T>,
+    /// Orientation of the attached triad in that of the marker, or of the ground. The joint's axis is its z axis.
+    pub orientation: UnitQuaternion<T>,
+}
+
+impl<T: RealField + Copy> Attachment<T> {
+    /// Place and motion of the attached triad.
+    pub fn motion(&self, ports: &dyn Ports<T>) -> MarkerMotion<T> {
+        let Some(port) = self.body.and_then(|body| ports.port(body)) else {
+            return MarkerMotion::fixed(self.position, self.orientation);
+        };
+        let mut motion = port.marker_motion(self.marker);
+        motion.orientation *= self.orientation;
+        motion
+    }
+}
+
+/// A joint between two attachments.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Connection<T: RealField + Copy = f64> {
+    /// What it holds.
+    pub kind: JointKind<T>,
+    /// Its first end; axes are those of this triad.
+    pub first: Attachment<T>,
+    /// Its second end.
+    pub second: Attachment<T>,
+}
