@@ -13,7 +13,7 @@ use crate::passes;
 use crate::prepare::{check_name, prepare};
 use crate::report::{KernelReport, Report, Source};
 use crate::validate::ValidKernel;
-use crate::{CodegenError, GenerateOptions, ScalarType};
+use crate::{CodegenError, GenerateOptions};
 
 /// A generated body.
 #[derive(Debug, Clone)]
@@ -98,7 +98,7 @@ impl Formulated {
             .filter(|definition| !is_loop(definition))
             .map(|definition| {
                 let kernel = Kernel::formulate(definition, self.graph.clone(), &self.body)?;
-                let kernel = passes::run(kernel, options.fused_multiply_add);
+                let kernel = passes::run(kernel.condensed(), options.fused_multiply_add);
                 ValidKernel::new(kernel, options.scalar, self.source.is_none())
             })
             .collect()

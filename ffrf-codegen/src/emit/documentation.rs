@@ -18,17 +18,22 @@ fn shape(signature: &Signature, mode_count: usize) -> String {
     let short = |shape: Shape| match shape {
         Shape::Scalar => "scalar".to_owned(),
         Shape::Vector(extent) => size(extent).to_string(),
+        Shape::Motion | Shape::Force => size(Extent::Velocities).to_string(),
         Shape::Symmetric(extent) => format!("{0} x {0}", size(extent)),
-        Shape::Columns { columns, .. } => size(columns).to_string(),
+        Shape::Columns { rows, columns } => format!("{} x {}", size(columns), size(rows)),
     };
     let shapes: Vec<Shape> = signature.outputs.iter().map(|output| output.shape).collect();
     match shapes.as_slice() {
-        [Shape::Vector(Extent::Velocities)] => {
+        [Shape::Motion | Shape::Force] => {
             format!("{}: translation 3, rotation 3, modes {mode_count}", size(Extent::Velocities))
         }
         [single @ Shape::Symmetric(_)] => format!("{}, symmetric, column by column", short(*single)),
         [value, derivatives @ ..] if let Some(Shape::Columns { rows, .. }) = derivatives.first() => {
-            let columns: Vec<String> = derivatives.iter().map(|shape| short(*shape)).collect();
+            let columns = derivatives.iter().map(|shape| match shape {
+                Shape::Columns { columns, .. } => size(*columns).to_string(),
+                shape => short(*shape),
+            });
+            let columns: Vec<String> = columns.collect();
             format!("{}; columns of {}: {}", short(*value), size(*rows), columns.join(", "))
         }
         several => several.iter().map(|shape| short(*shape)).collect::<Vec<_>>().join(", "),

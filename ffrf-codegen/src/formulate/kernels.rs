@@ -21,13 +21,41 @@ pub struct Definition {
     pub signature: Signature,
     /// Writes its results.
     pub formulate: Formulate,
-    /// What the runtime's loop over lanes that computes it takes besides the state; the force there is less what the loops
-    /// do not know. `None` for kernels that stay statements: they cost no more than M operations per entry.
-    pub lanes: Option<&'static [Input]>,
+    /// The trait of the runtime that has it as a method.
+    pub interface: Interface,
+    /// The runtime's loop over lanes that computes it. `None` for kernels that stay statements: they cost no more than M
+    /// operations per entry.
+    pub lanes: Option<Loop>,
+}
+
+/// The trait that has a kernel as a method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interface {
+    /// What every body is.
+    FlexibleBody,
+    /// Energies, momenta, mass.
+    Observables,
+    /// N x N matrices.
+    DenseForms,
+    /// Derivatives.
+    FlexibleBodyJacobians,
+}
+
+/// A loop of the runtime over lanes.
+#[derive(Debug, Clone, Copy)]
+pub struct Loop {
+    /// What it takes besides the state; the force there is less what the loops do not know.
+    pub inputs: &'static [Input],
+    /// The kernel that gives the last result, which the loop leaves out.
+    pub rest: Option<&'static Definition>,
+}
+
+const fn over(inputs: &'static [Input]) -> Option<Loop> {
+    Some(Loop { inputs, rest: None })
 }
 
 /// Every kernel that each body has, in the order in which they are printed.
-pub static KERNELS: [&Definition; 12] = [
+pub static KERNELS: [&Definition; 15] = [
     &MASS_MATRIX,
     &QUADRATIC_VELOCITY,
     &FORWARD_DYNAMICS,
@@ -38,8 +66,11 @@ pub static KERNELS: [&Definition; 12] = [
     &ANGULAR_MOMENTUM,
     &INTERNAL_FORCE,
     &GRAVITY_FORCE,
-    &STIFFNESS_MATRIX,
-    &DAMPING_MATRIX,
+    &MODAL_MASS,
+    &STIFFNESS,
+    &DAMPING,
+    &MASS,
+    &PREPARE,
 ];
 
 /// The kernels that a body has on request.
@@ -57,7 +88,6 @@ const fn one(name: &'static str, shape: Shape) -> Output {
 }
 
 const SQUARE: Shape = Shape::Symmetric(Velocities);
-const COLUMN: Shape = Shape::Vector(Velocities);
 const fn derivative(name: &'static str, columns: crate::expression::Extent) -> Output {
     Output { name, shape: Shape::Columns { rows: Velocities, columns } }
 }
@@ -74,7 +104,8 @@ pub static MASS_MATRIX: Definition = Definition {
         source: "(203), body-resolved",
     },
     formulate: |g, body, _, deformed| Ok(mass_matrix(g, body, deformed).concat()),
-    lanes: Some(&[]),
+    interface: Interface::DenseForms,
+    lanes: over(&[]),
 };
 
 /// Quadratic velocity vector Q(q, ω, q̇).
@@ -82,14 +113,15 @@ pub static QUADRATIC_VELOCITY: Definition = Definition {
     signature: Signature {
         name: "quadratic_velocity",
         inputs: STATE,
-        outputs: &[one("quadratic_velocity", COLUMN)],
+        outputs: &[one("quadratic_velocity", Shape::Force)],
         results: "",
         title: "Quadratic velocity vector Q(q, ω, q̇), on the left-hand side.",
         units: FORCES,
         source: "(209), signs and index order corrected",
     },
     formulate: |g, body, state, deformed| Ok(quadratic_velocity(g, body, state, deformed)),
-    lanes: Some(&[]),
+    interface: Interface::DenseForms,
+    lanes: over(&[]),
 };
 
 /// Accelerations [α; ω̇; q̈].
@@ -97,7 +129,7 @@ pub static FORWARD_DYNAMICS: Definition = Definition {
     signature: Signature {
         name: "forward_dynamics",
         inputs: STATE_AND_FORCE,
-        outputs: &[one("acceleration", COLUMN)],
+        outputs: &[one("acceleration", Shape::Motion)],
         results: "",
         title: "Accelerations [α; ω̇; q̈] under a generalised force, elastic and damping forces included.",
         units: "m/s², rad/s², 1/s²",
@@ -107,7 +139,8 @@ pub static FORWARD_DYNAMICS: Definition = Definition {
         let quadratic = quadratic_velocity(g, body, state, deformed);
         forward_dynamics(g, body, state, deformed, &quadratic)
     },
-    lanes: Some(&[Input::COORDINATES, Input::RATES, Input::FORCE]),
+    interface: Interface::FlexibleBody,
+    lanes: over(&[Input::COORDINATES, Input::RATES, Input::FORCE]),
 };
 
 /// The three above in one pass.
@@ -117,8 +150,8 @@ pub static EQUATIONS_OF_MOTION: Definition = Definition {
         inputs: STATE_AND_FORCE,
         outputs: &[
             one("mass_matrix", SQUARE),
-            one("quadratic_velocity", COLUMN),
-            one("acceleration", COLUMN),
+            one("quadratic_velocity", Shape::Force),
+            one("acceleration", Shape::Motion),
         ],
         results: "EquationsOfMotion",
         title: "Mass matrix, quadratic velocity vector and accelerations in one pass.",
@@ -131,7 +164,8 @@ pub static EQUATIONS_OF_MOTION: Definition = Definition {
         let acceleration = forward_dynamics(g, body, state, deformed, &quadratic)?;
         Ok([mass, quadratic, acceleration].concat())
     },
-    lanes: Some(&[Input::COORDINATES, Input::RATES, Input::FORCE]),
+    interface: Interface::DenseForms,
+    lanes: over(&[Input::COORDINATES, Input::RATES, Input::FORCE]),
 };
 
 /// Kinetic energy.
@@ -146,7 +180,8 @@ pub static KINETIC_ENERGY: Definition = Definition {
         source: "½ (v · P + ω · L + q̇ · p)",
     },
     formulate: |g, body, state, deformed| Ok(vec![kinetic_energy(g, body, state, deformed)]),
-    lanes: Some(&[Input::VELOCITY, Input::ANGULAR_VELOCITY, Input::RATES]),
+    interface: Interface::Observables,
+    lanes: over(&[Input::VELOCITY, Input::ANGULAR_VELOCITY, Input::RATES]),
 };
 
 /// Elastic energy.
@@ -161,6 +196,7 @@ pub static ELASTIC_ENERGY: Definition = Definition {
         source: "½ qᵀ K q",
     },
     formulate: |g, body, state, _| Ok(vec![elastic_energy(g, body, state)]),
+    interface: Interface::Observables,
     lanes: None,
 };
 
@@ -176,6 +212,7 @@ pub static LINEAR_MOMENTUM: Definition = Definition {
         source: "m v + ω × m r + m B q̇",
     },
     formulate: |g, body, state, deformed| Ok(linear_momentum(g, body, state, deformed).to_vec()),
+    interface: Interface::Observables,
     lanes: None,
 };
 
@@ -191,7 +228,8 @@ pub static ANGULAR_MOMENTUM: Definition = Definition {
         source: "m r × v + Θ_rr ω + Θ_rf q̇",
     },
     formulate: |g, _, state, deformed| Ok(angular_momentum(g, state, deformed).to_vec()),
-    lanes: Some(&[Input::VELOCITY, Input::ANGULAR_VELOCITY]),
+    interface: Interface::Observables,
+    lanes: over(&[Input::VELOCITY, Input::ANGULAR_VELOCITY]),
 };
 
 /// Elastic and damping forces.
@@ -206,6 +244,7 @@ pub static INTERNAL_FORCE: Definition = Definition {
         source: "K q + D q̇",
     },
     formulate: |g, body, state, _| Ok(internal_force(g, body, state)),
+    interface: Interface::FlexibleBody,
     lanes: None,
 };
 
@@ -214,20 +253,37 @@ pub static GRAVITY_FORCE: Definition = Definition {
     signature: Signature {
         name: "gravity_force",
         inputs: &[Input::COORDINATES, Input::GRAVITY],
-        outputs: &[one("force", COLUMN)],
+        outputs: &[one("force", Shape::Force)],
         results: "",
         title: "Generalised force of uniform gravity g.",
         units: FORCES,
         source: "[m g; m r × g; m b_μ · g]",
     },
     formulate: |g, body, state, deformed| Ok(gravity_force(g, body, state, deformed)),
+    interface: Interface::FlexibleBody,
+    lanes: None,
+};
+
+/// Modal mass Θ_ff.
+pub static MODAL_MASS: Definition = Definition {
+    signature: Signature {
+        name: "modal_mass",
+        inputs: &[],
+        outputs: &[one("modal_mass", Shape::Symmetric(Modes))],
+        results: "",
+        title: "Modal mass Θ_ff.",
+        units: "kg for unit modes",
+        source: "[tr T_μν]",
+    },
+    formulate: |_, body, _, _| Ok(body.modal_mass.concat()),
+    interface: Interface::FlexibleBody,
     lanes: None,
 };
 
 /// Modal stiffness K_ff.
-pub static STIFFNESS_MATRIX: Definition = Definition {
+pub static STIFFNESS: Definition = Definition {
     signature: Signature {
-        name: "stiffness_matrix",
+        name: "stiffness",
         inputs: &[],
         outputs: &[one("stiffness", Shape::Symmetric(Modes))],
         results: "",
@@ -236,13 +292,14 @@ pub static STIFFNESS_MATRIX: Definition = Definition {
         source: "Ψᵀ K Ψ",
     },
     formulate: |_, body, _, _| Ok(body.stiffness.concat()),
+    interface: Interface::FlexibleBody,
     lanes: None,
 };
 
 /// Modal damping D_ff.
-pub static DAMPING_MATRIX: Definition = Definition {
+pub static DAMPING: Definition = Definition {
     signature: Signature {
-        name: "damping_matrix",
+        name: "damping",
         inputs: &[],
         outputs: &[one("damping", Shape::Symmetric(Modes))],
         results: "",
@@ -251,7 +308,67 @@ pub static DAMPING_MATRIX: Definition = Definition {
         source: "the model",
     },
     formulate: |_, body, _, _| Ok(body.damping.concat()),
+    interface: Interface::FlexibleBody,
     lanes: None,
+};
+
+/// Mass m.
+pub static MASS: Definition = Definition {
+    signature: Signature {
+        name: "mass",
+        inputs: &[],
+        outputs: &[one("mass", Shape::Scalar)],
+        results: "",
+        title: "Mass m.",
+        units: "kg",
+        source: "the model",
+    },
+    formulate: |_, body, _, _| Ok(vec![body.mass]),
+    interface: Interface::Observables,
+    lanes: None,
+};
+
+/// Everything that depends on the state, once for whatever needs it.
+pub static PREPARE: Definition = Definition {
+    signature: Signature {
+        name: "prepare",
+        inputs: STATE,
+        outputs: &[
+            one("mass", Shape::Scalar),
+            one("first_moment", Shape::Vector(Axes)),
+            one("inertia", Shape::Symmetric(Axes)),
+            one("modal_first_moment", Shape::Columns { rows: Modes, columns: Axes }),
+            one("rotation_modal_coupling", Shape::Columns { rows: Modes, columns: Axes }),
+            one("quadratic_velocity", Shape::Force),
+            one("internal_force", Shape::Vector(Modes)),
+        ],
+        results: "Prepared",
+        title: "Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.",
+        units: "as of each",
+        source: "(204), (209), corrected",
+    },
+    formulate: |g, body, state, deformed| {
+        let axes = [0, 1, 2];
+        let quadratic = quadratic_velocity(g, body, state, deformed);
+        g.section("Elastic and damping forces K q + D q̇");
+        let internal = internal_force(g, body, state);
+        let momentum: [Vec<Expression>; 3] =
+            axes.map(|i| body.modal_first_moment.iter().map(|moment| moment[i]).collect());
+        let coupling: [Vec<Expression>; 3] =
+            axes.map(|i| deformed.moments.iter().map(|moment| moment.odd[i]).collect());
+        let parts: [Vec<Expression>; 7] = [
+            vec![body.mass],
+            deformed.first_moment.to_vec(),
+            axes.map(|i| axes.map(|j| deformed.inertia.at(i, j))).concat(),
+            momentum.concat(),
+            coupling.concat(),
+            quadratic,
+            internal,
+        ];
+        Ok(parts.concat())
+    },
+    interface: Interface::FlexibleBody,
+    lanes: Some(Loop { inputs: &[], rest: Some(&INTERNAL_FORCE) }),
 };
 
 /// Accelerations with their derivatives.
@@ -260,7 +377,7 @@ pub static ACCELERATION_JACOBIAN: Definition = Definition {
         name: "acceleration_jacobian",
         inputs: STATE_AND_FORCE,
         outputs: &[
-            one("acceleration", COLUMN),
+            one("acceleration", Shape::Motion),
             derivative("coordinates", Modes),
             derivative("rates", Modes),
             derivative("angular_velocity", Axes),
@@ -276,6 +393,7 @@ pub static ACCELERATION_JACOBIAN: Definition = Definition {
         let force = jacobian.force.concat();
         Ok(with_derivatives(jacobian, force))
     },
+    interface: Interface::FlexibleBodyJacobians,
     lanes: None,
 };
 
@@ -291,7 +409,7 @@ pub static RESIDUAL_JACOBIAN: Definition = Definition {
             Input::FORCE,
         ],
         outputs: &[
-            one("residual", COLUMN),
+            one("residual", Shape::Force),
             derivative("coordinates", Modes),
             derivative("rates", Modes),
             derivative("angular_velocity", Axes),
@@ -306,6 +424,7 @@ pub static RESIDUAL_JACOBIAN: Definition = Definition {
         let mass = mass_matrix(g, body, deformed).concat();
         Ok(with_derivatives(Jacobian::of_residual(g, body), mass))
     },
+    interface: Interface::FlexibleBodyJacobians,
     lanes: None,
 };
 

@@ -20,7 +20,7 @@ mod structured;
 pub use draft::Draft;
 pub use jacobian::{Jacobian, Variable};
 pub use kernel::Kernel;
-pub use kernels::{Definition, JACOBIANS, KERNELS};
+pub use kernels::{Definition, Interface, JACOBIANS, KERNELS, Loop};
 pub use modal_mass::inverse_modal_mass;
 pub use observables::{
     angular_momentum, elastic_energy, gravity_force, internal_force, kinetic_energy, linear_momentum,

@@ -37,6 +37,10 @@ pub enum Shape {
     Scalar,
     /// A column.
     Vector(Extent),
+    /// A motion as one column: linear, angular, modal.
+    Motion,
+    /// A generalised force as one column: force, moment, modal forces.
+    Force,
     /// A symmetric matrix, column by column.
     Symmetric(Extent),
     /// A matrix, column by column.
@@ -49,11 +53,20 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Number of columns of a matrix; of anything else, 1.
+    pub fn columns(self, mode_count: usize) -> usize {
+        match self {
+            Self::Scalar | Self::Vector(_) | Self::Motion | Self::Force => 1,
+            Self::Symmetric(columns) | Self::Columns { columns, .. } => columns.size(mode_count),
+        }
+    }
+
     /// Number of entries.
     pub fn entries(self, mode_count: usize) -> usize {
         match self {
             Self::Scalar => 1,
             Self::Vector(extent) => extent.size(mode_count),
+            Self::Motion | Self::Force => Extent::Velocities.size(mode_count),
             Self::Symmetric(extent) => extent.size(mode_count).pow(2),
             Self::Columns { rows, columns } => rows.size(mode_count) * columns.size(mode_count),
         }

@@ -43,7 +43,7 @@ pub(super) fn inherent_method(
                 "let undeformed = ::ffrf::nalgebra::SVector::<{scalar}, {mode_count}>::zeros();"
             ));
             writer.line(format!(
-                "checks::mass_matrix(&::ffrf::FlexibleBody::<{mode_count}, {size}, {scalar}>::mass_matrix(self, &undeformed))"
+                "checks::mass_matrix(&::ffrf::DenseForms::<{mode_count}, {size}, {scalar}>::mass_matrix(self, &undeformed))"
             ));
         });
     });

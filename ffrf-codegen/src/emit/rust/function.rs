@@ -66,7 +66,9 @@ pub(super) fn result_type(signature: &Signature, modes: usize, scalar: ScalarTyp
         .iter()
         .map(|output| match output.shape {
             Shape::Scalar => name.to_owned(),
-            Shape::Vector(extent) => format!("[{name}; {}]", extent.size(modes)),
+            Shape::Vector(_) | Shape::Motion | Shape::Force => {
+                format!("[{name}; {}]", output.shape.entries(modes))
+            }
             Shape::Symmetric(extent) => format!("[[{name}; {0}]; {0}]", extent.size(modes)),
             Shape::Columns { rows, columns } => {
                 format!("[[{name}; {}]; {}]", rows.size(modes), columns.size(modes))
@@ -93,10 +95,14 @@ fn results(writer: &mut Writer, listing: &Listing, style: Style<'_>) {
     let modes = listing.mode_count;
     let write = |writer: &mut Writer, shape: Shape, entries: &[String], end: &str| match shape {
         Shape::Scalar => writer.line(format!("{}{end}", entries.concat())),
-        Shape::Vector(_) => writer.line(format!("{}{end}", bracketed(entries, 0))),
+        Shape::Vector(_) | Shape::Motion | Shape::Force => {
+            writer.line(format!("{}{end}", bracketed(entries, 0)));
+        }
         Shape::Symmetric(rows) | Shape::Columns { rows, .. } => {
+            let rows = rows.size(modes);
             writer.block("[", &format!("]{end}"), |writer| {
-                for column in entries.chunks(rows.size(modes).max(1)) {
+                for column in 0..shape.columns(modes) {
+                    let column = entries.get(rows * column..rows * (column + 1)).unwrap_or_default();
                     writer.line(format!("{},", bracketed(column, 4)));
                 }
             });

@@ -1,95 +1,95 @@
-//! The implementation of the traits: nalgebra outside, arrays inside.
+//! The implementations of the traits: nalgebra outside, arrays inside.
 
 use super::lanes;
 use super::markers;
-use super::writer::{FunctionHead, Writer};
+use super::method::{Types, method};
+use super::writer::Writer;
+use crate::ScalarType;
 use crate::emit::Subject;
-use crate::formulate::{Definition, JACOBIANS, KERNELS, Shape, Signature};
+use crate::emit::listing::Listing;
+use crate::formulate::{Interface, JACOBIANS, KERNELS, Signature};
 
-/// `impl FlexibleBody<M, N, scalar> for NAME`; for every scalar if the body is generic.
-pub(super) fn implementation(writer: &mut Writer, subject: &Subject<'_>) {
-    let Subject { model, lanes, options, .. } = subject;
-    block(writer, subject, "FlexibleBody", &KERNELS, |writer| {
-        if let Some(lanes) = lanes {
-            lanes::trait_method(writer, lanes, options.scalar);
-        }
-        if let Some(model) = model {
-            markers::trait_methods(writer, model, options);
-        }
-    });
-    if options.jacobians {
-        writer.blank();
-        block(writer, subject, "FlexibleBodyJacobians", &JACOBIANS, |_| {});
-    }
-}
-
-fn block(
-    writer: &mut Writer,
-    subject: &Subject<'_>,
-    name: &str,
-    kernels: &[&Definition],
-    extra: impl FnOnce(&mut Writer),
-) {
-    let Subject { report, options, .. } = subject;
-    let (modes, size) = (report.mode_count, 6 + report.mode_count);
-    let (scalar, generics) = (options.scalar.type_name(), options.scalar.generics());
-    writer.line("#[automatically_derived]");
-    let head = format!("impl{generics} ::ffrf::{name}<{modes}, {size}, {scalar}> for {} {{", options.name);
-    writer.block(&head, "}", |writer| {
-        for (position, definition) in kernels.iter().enumerate() {
-            if position > 0 {
-                writer.blank();
+/// One implementation for each trait; for every scalar if the body is generic.
+///
+/// `listings` are the kernels that are printed as statements; a matrix over the modes may be a diagonal there.
+pub(super) fn implementations(writer: &mut Writer, subject: &Subject<'_>, listings: &[Listing]) {
+    let types = Types::of(subject);
+    let signatures: Vec<(Interface, Signature)> = KERNELS
+        .iter()
+        .chain(&JACOBIANS)
+        .map(|definition| {
+            let printed = listings.iter().find(|listing| listing.signature.name == definition.signature.name);
+            (definition.interface, printed.map_or(definition.signature, |listing| listing.signature))
+        })
+        .collect();
+    let block = |writer: &mut Writer, interface: Interface, more: &dyn Fn(&mut Writer)| {
+        let members: Vec<&Signature> = signatures
+            .iter()
+            .filter(|(known, _)| *known == interface)
+            .map(|(_, signature)| signature)
+            .collect();
+        implementation(writer, subject, &types.trait_path(interface), |writer| {
+            if interface == Interface::FlexibleBody {
+                associated(writer, &types);
             }
-            method(writer, subject, &definition.signature);
+            for (position, signature) in members.iter().enumerate() {
+                if position > 0 || interface == Interface::FlexibleBody {
+                    writer.blank();
+                }
+                method(writer, &types, interface, signature);
+            }
+            more(writer);
+        });
+    };
+    block(writer, Interface::FlexibleBody, &|writer| stable_step(writer, subject));
+    writer.blank();
+    block(writer, Interface::Observables, &|_| {});
+    writer.blank();
+    block(writer, Interface::DenseForms, &|writer| {
+        if let Some(lanes) = subject.lanes {
+            lanes::trait_method(writer, lanes, subject.options.scalar);
         }
-        extra(writer);
+    });
+    writer.blank();
+    implementation(writer, subject, &format!("::ffrf::NamedMarkers<{}>", types.scalar), |writer| {
+        markers::trait_methods(writer, subject, &types.marker());
+    });
+    if subject.options.jacobians {
+        writer.blank();
+        block(writer, Interface::FlexibleBodyJacobians, &|_| {});
+    }
+}
+
+fn implementation(writer: &mut Writer, subject: &Subject<'_>, path: &str, write: impl FnOnce(&mut Writer)) {
+    let options = subject.options;
+    writer.line("#[automatically_derived]");
+    writer.block(&format!("impl{} {path} for {} {{", options.scalar.generics(), options.name), "}", write);
+}
+
+/// The type of modal vectors, and their zero.
+fn associated(writer: &mut Writer, types: &Types) {
+    writer.line(format!("type Modal = {};", types.modal()));
+    writer.blank();
+    writer.line("#[inline]");
+    writer.block(&format!("fn undeformed(&self) -> {} {{", types.modal()), "}", |writer| {
+        writer.line("::ffrf::nalgebra::SVector::zeros()");
     });
 }
 
-fn method(writer: &mut Writer, subject: &Subject<'_>, signature: &Signature) {
-    let (modes, scalar) = (subject.report.mode_count, subject.options.scalar.type_name());
-    let vector = |size: usize| match size {
-        3 => format!("::ffrf::nalgebra::Vector3<{scalar}>"),
-        _ => format!("::ffrf::nalgebra::SVector<{scalar}, {size}>"),
-    };
-    let matrix =
-        |rows: usize, columns: usize| format!("::ffrf::nalgebra::SMatrix<{scalar}, {rows}, {columns}>");
-    let mut inputs = vec!["&self".to_owned()];
-    let mut values = Vec::new();
-    if subject.model.is_none() {
-        values.push("self".to_owned());
+/// The method that knows the largest stable step of a body whose numbers are known and which vibrates.
+fn stable_step(writer: &mut Writer, subject: &Subject<'_>) {
+    let step = subject.model.and_then(|model| model.largest_stable_step());
+    if step.is_none_or(|step| !step.is_finite()) {
+        return;
     }
-    for input in signature.inputs {
-        inputs.push(format!("{}: &{}", input.name, vector(input.size(modes))));
-        values.push(format!("support::array({})", input.name));
-    }
-    let wrapped = |shape: Shape, value: &str| match shape {
-        Shape::Scalar => value.to_owned(),
-        Shape::Vector(_) => format!("support::vector({value})"),
-        Shape::Symmetric(_) | Shape::Columns { .. } => format!("support::matrix({value})"),
+    let scalar = subject.options.scalar;
+    let step = match scalar {
+        ScalarType::F64 => "Self::LARGEST_STABLE_STEP".to_owned(),
+        ScalarType::F32 => "Self::LARGEST_STABLE_STEP as f32".to_owned(),
+        ScalarType::Generic => "support::constant(Self::LARGEST_STABLE_STEP)".to_owned(),
     };
-    let call = format!("{}({})", signature.name, values.join(", "));
-    let result = match signature.outputs {
-        [output] => match output.shape {
-            Shape::Scalar => scalar.to_owned(),
-            Shape::Vector(extent) => vector(extent.size(modes)),
-            Shape::Symmetric(extent) => matrix(extent.size(modes), extent.size(modes)),
-            Shape::Columns { rows, columns } => matrix(rows.size(modes), columns.size(modes)),
-        },
-        _ => format!("::ffrf::{}<{modes}, {}, {scalar}>", signature.results, 6 + modes),
-    };
+    writer.blank();
     writer.line("#[inline]");
-    let head = FunctionHead { name: signature.name, inputs: &inputs, result: &result, may_be_short: false };
-    writer.function(&head, |writer| match signature.outputs {
-        [output] => writer.line(wrapped(output.shape, &call)),
-        outputs => {
-            let names: Vec<&str> = outputs.iter().map(|output| output.name).collect();
-            writer.line(format!("let ({}) = {call};", names.join(", ")));
-            writer.block(&format!("::ffrf::{} {{", signature.results), "}", |writer| {
-                for output in outputs {
-                    writer.line(format!("{}: {},", output.name, wrapped(output.shape, output.name)));
-                }
-            });
-        }
-    });
+    let head = format!("fn largest_stable_step(&self) -> ::core::option::Option<{}> {{", scalar.type_name());
+    writer.block(&head, "}", |writer| writer.line(format!("::core::option::Option::Some({step})")));
 }

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use ffrf_model::{Marker, ReducedBody, Vector3};
+use ffrf_model::{Marker, ReducedBody};
 
 use super::literal::literal;
 use super::structure::{RESERVED, constants, visibility};
 use super::writer::{Writer, bracketed};
+use crate::emit::Subject;
 use crate::report::Report;
 use crate::{GenerateOptions, ScalarType};
 
@@ -26,21 +27,17 @@ pub(super) fn inherent_constants(
             }
             constant.write(writer, options);
         }
-        for (marker, name) in body.markers.iter().zip(constant_names(body)) {
+        for (marker, name) in body.markers.iter().zip(constant_names(&body.markers)) {
             writer.blank();
             marker_constant(writer, marker, &name, report.mode_count, options);
         }
     });
 }
 
-/// The methods of the trait that know markers by name.
-pub(super) fn trait_methods(writer: &mut Writer, body: &ReducedBody, options: &GenerateOptions) {
-    if body.markers.is_empty() {
-        return;
-    }
-    let marker = format!("::ffrf::Marker<{}, {}>", body.mode_count(), options.scalar.type_name());
-    let names: Vec<String> = body.markers.iter().map(|marker| format!("{:?}", marker.name)).collect();
-    writer.blank();
+/// The methods of the trait that knows markers by name.
+pub(super) fn trait_methods(writer: &mut Writer, subject: &Subject<'_>, marker: &str) {
+    let markers = subject.model.map_or(&[][..], |model| &model.markers);
+    let names: Vec<String> = markers.iter().map(|marker| format!("{:?}", marker.name)).collect();
     writer.line("#[inline]");
     writer.block("fn marker_names(&self) -> &'static [&'static str] {", "}", |writer| {
         writer.line(format!("&{}", bracketed(&names, 12)));
@@ -50,12 +47,9 @@ pub(super) fn trait_methods(writer: &mut Writer, body: &ReducedBody, options: &G
     let head = format!("fn marker(&self, name: &str) -> ::core::option::Option<{marker}> {{");
     writer.block(&head, "}", |writer| {
         writer.block("match name {", "}", |writer| {
-            let cast = if options.scalar == ScalarType::Generic { ".cast()" } else { "" };
-            for (name, constant) in names.iter().zip(constant_names(body)) {
-                writer.line(format!(
-                    "{name} => ::core::option::Option::Some({}::{constant}{cast}),",
-                    options.name
-                ));
+            let cast = if subject.options.scalar == ScalarType::Generic { ".cast()" } else { "" };
+            for (name, constant) in names.iter().zip(constant_names(markers)) {
+                writer.line(format!("{name} => ::core::option::Option::Some(Self::{constant}{cast}),"));
             }
             writer.line("_ => ::core::option::Option::None,");
         });
@@ -63,9 +57,9 @@ pub(super) fn trait_methods(writer: &mut Writer, body: &ReducedBody, options: &G
 }
 
 /// The names of the markers in upper case, made unique.
-fn constant_names(body: &ReducedBody) -> Vec<String> {
+fn constant_names(markers: &[Marker]) -> Vec<String> {
     let mut taken: BTreeSet<String> = RESERVED.map(str::to_owned).into();
-    body.markers
+    markers
         .iter()
         .map(|marker| {
             let base: String = marker
@@ -94,20 +88,24 @@ fn marker_constant(
     options: &GenerateOptions,
 ) {
     let scalar = options.scalar.constant_type_name();
-    let vector = |vector: &Vector3| {
-        let entries = vector.map(|value| literal(value, options.scalar));
-        format!("[{}]", entries.join(", "))
+    let vector = |entries: &mut dyn Iterator<Item = f64>| {
+        let entries: Vec<String> = entries.map(|value| literal(value, options.scalar)).collect();
+        format!("::ffrf::generated_support::vector({})", bracketed(&entries, 48))
     };
-    let rows = |rows: &[Vector3]| bracketed(&rows.iter().map(vector).collect::<Vec<_>>(), 8);
     writer.documentation([format!(
-        "Marker `{}`. Units: m, and per unit modal coordinate. Frame: body.",
+        "Marker `{}`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.",
         marker.name
     )]);
-    let head =
-        format!("{}const {name}: ::ffrf::Marker<{modes}, {scalar}> = ::ffrf::Marker {{", visibility(options));
+    let kind = format!("::ffrf::Marker<::ffrf::nalgebra::SVector<{scalar}, {modes}>, {scalar}>");
+    let head = format!("{}const {name}: {kind} = ::ffrf::Marker {{", visibility(options));
     writer.block(&head, "};", |writer| {
-        writer.line(format!("position: {},", vector(&marker.position)));
-        writer.line(format!("translation: {},", rows(&marker.translation)));
-        writer.line(format!("rotation: {},", rows(&marker.rotation)));
+        writer.line(format!("position: {},", vector(&mut marker.position.into_iter())));
+        for (field, shapes) in [("translation", &marker.translation), ("rotation", &marker.rotation)] {
+            writer.block(&format!("{field}: ["), "],", |writer| {
+                for axis in 0..3 {
+                    writer.line(format!("{},", vector(&mut shapes.iter().map(|shape| shape[axis]))));
+                }
+            });
+        }
     });
 }

@@ -13,6 +13,7 @@ mod implementation;
 mod lanes;
 mod literal;
 mod markers;
+mod method;
 mod parameters;
 mod structure;
 mod writer;
@@ -95,7 +96,7 @@ fn scope(writer: &mut Writer, subject: &Subject<'_>, kernels: &[ValidKernel]) {
             lanes::functions(writer, lanes, options);
         }
         writer.blank();
-        implementation::implementation(writer, subject);
+        implementation::implementations(writer, subject, &listings);
     });
 }
 

@@ -1,7 +1,8 @@
 //! How values get into the loops and out of them.
 
 use crate::ScalarType;
-use crate::formulate::{Shape, Signature};
+use crate::emit::rust::writer::Writer;
+use crate::formulate::{Output, Shape};
 
 /// The scalars of the loops, against those of the functions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,23 +54,37 @@ impl Form {
         format!("&support::lanes::net_force({}, {})", self.input("force"), self.input(internal))
     }
 
-    /// The result of a kernel from that of the loops.
-    pub(super) fn result(self, signature: &Signature, call: &str) -> String {
-        let unwrapped = |shape: Shape, value: &str| match shape {
-            Shape::Scalar => format!("{value}.0"),
-            Shape::Vector(_) => format!("support::lanes::numbers({value})"),
-            Shape::Symmetric(_) | Shape::Columns { .. } => format!("{value}.map(support::lanes::numbers)"),
-        };
-        match (self, signature.outputs) {
-            (Self::Plain, _) => call.to_owned(),
-            (Self::Wrapped, [output]) => unwrapped(output.shape, call),
-            (Self::Wrapped, outputs) => {
-                let names: Vec<&str> = outputs.iter().map(|output| output.name).collect();
-                let values: Vec<String> = outputs
-                    .iter()
-                    .map(|output| format!("    {},\n", unwrapped(output.shape, output.name)))
-                    .collect();
-                format!("let ({}) = {call};\n(\n{})", names.join(", "), values.concat())
+    /// Writes the result of a kernel from that of the loops; `rest` is the last of several results if the loops leave it
+    /// out.
+    pub(super) fn result(self, writer: &mut Writer, outputs: &[Output], call: &str, rest: Option<&str>) {
+        match (self, outputs, rest) {
+            (Self::Plain, _, None) => writer.line(call),
+            (_, [output], _) => writer.line(self.unwrapped(output.shape, call)),
+            (_, outputs, rest) => {
+                let known = &outputs[..outputs.len() - rest.iter().count()];
+                let names: Vec<&str> = known.iter().map(|output| output.name).collect();
+                writer.line(format!("let ({}) = {call};", names.join(", ")));
+                writer.block("(", ")", |writer| {
+                    for output in known {
+                        writer.line(format!("{},", self.unwrapped(output.shape, output.name)));
+                    }
+                    if let Some(rest) = rest {
+                        writer.line(format!("{rest},"));
+                    }
+                });
+            }
+        }
+    }
+
+    fn unwrapped(self, shape: Shape, value: &str) -> String {
+        match (self, shape) {
+            (Self::Plain, _) => value.to_owned(),
+            (Self::Wrapped, Shape::Scalar) => format!("{value}.0"),
+            (Self::Wrapped, Shape::Vector(_) | Shape::Motion | Shape::Force) => {
+                format!("support::lanes::numbers({value})")
+            }
+            (Self::Wrapped, Shape::Symmetric(_) | Shape::Columns { .. }) => {
+                format!("{value}.map(support::lanes::numbers)")
             }
         }
     }

@@ -26,7 +26,7 @@ pub(super) fn loops(lanes: &LaneParameters, options: &GenerateOptions) -> Loops 
     Loops {
         modes,
         scalar,
-        body: Some(format!("body: &{}", options.name)),
+        body: Some(options.name.clone()),
         preparation: vec![
             "let tables = tables(body);".to_owned(),
             "let lanes = tables.body(moments(body));".to_owned(),
