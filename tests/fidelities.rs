@@ -2,18 +2,12 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-#[path = "support/interpreted_body.rs"]
-mod interpreted_body;
-#[allow(dead_code)]
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
-
 use ffrf::nalgebra::{SMatrix, SVector, UnitQuaternion, Vector2, Vector3};
 use ffrf::{FlexibleBody, FreeBody, step_rk4};
 use ffrf_codegen::fidelity::EnergyTerm;
 use ffrf_codegen::{Fidelity, GenerateOptions, Kernels};
-use interpreted_body::InterpretedBody;
-use random_body::{Modes, random_body};
+use ffrf_test_kit::interpreted_body::InterpretedBody;
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// Half a second of motion with periods of about half a second: a step of 1 ms leaves h⁴ of some 1e-10.
 const CONSERVED: f64 = 1e-8;

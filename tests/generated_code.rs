@@ -14,26 +14,22 @@ mod general_m2;
 #[rustfmt::skip]
 #[path = "golden/generic_m2.rs"]
 mod generic_m2;
-#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
 #[rustfmt::skip]
 #[path = "golden/normalised_m3.rs"]
 mod normalised_m3;
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
 #[rustfmt::skip]
 #[path = "golden/rigid.rs"]
 mod rigid;
 #[rustfmt::skip]
 #[path = "golden/single_m3.rs"]
 mod single_m3;
-#[path = "golden/witness.rs"]
-mod witness;
 
 use std::path::Path;
 
 use bodies::all;
 use ffrf_codegen::{Kernels, generate};
+use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::witness;
 
 /// Set to rewrite the committed files.
 const UPDATE: &str = "FFRF_UPDATE_GOLDEN";
@@ -57,7 +53,7 @@ fn committed_code_is_what_the_generator_prints() {
         }
     }
     // The model that tests/macro_bodies.rs names.
-    let model = random_body::random_body(11, 4, random_body::Modes::Random);
+    let model = random_body(11, 4, Modes::Random);
     let path = folder.join("../models/random_m4.ffrf.json");
     if ffrf_model::ReducedBody::read(&path).ok().as_ref() != Some(&model) {
         stale.push("random_m4");
@@ -101,13 +97,21 @@ fn single_precision_code_agrees_with_double_precision() {
 
 #[test]
 fn constants_and_markers_of_a_body_are_those_of_its_model() {
-    use ffrf::FlexibleBody;
+    use ffrf::{FlexibleBody, NamedMarkers};
     use general_m2::GeneralBody;
     let (_, body, _) = all().into_iter().find(|(name, ..)| *name == "general_m2").unwrap();
     assert_eq!(GeneralBody::MODE_COUNT, 2);
     assert_eq!(GeneralBody::MASS, body.inertia.mass);
     assert_eq!(GeneralBody::FREQUENCIES_HZ, [None, Some(12.5)]);
-    assert_eq!(GeneralBody::TIP.position, body.markers[0].position);
-    assert_eq!(GeneralBody.marker("root").unwrap().translation[1], body.markers[1].translation[1]);
+    assert_eq!(GeneralBody.largest_stable_step(), body.largest_stable_step());
+    assert_eq!(GeneralBody.marker_names(), ["tip", "root"]);
+    assert_eq!(GeneralBody::TIP.position.as_slice(), body.markers[0].position);
+    let root = GeneralBody.marker("root").unwrap();
+    for axis in 0..3 {
+        for mode in 0..2 {
+            assert_eq!(root.translation[axis][mode], body.markers[1].translation[mode][axis]);
+            assert_eq!(root.rotation[axis][mode], body.markers[1].rotation[mode][axis]);
+        }
+    }
     assert_eq!(GeneralBody.marker("nowhere"), None);
 }

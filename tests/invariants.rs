@@ -1,24 +1,12 @@
 //! `check` of bodies whose invariants come at run time: sound bodies pass, each defect is named.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
-// Each test uses its part.
-#[allow(dead_code)]
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
-#[macro_use]
-#[path = "support/filled.rs"]
-mod filled;
-#[allow(dead_code)]
-#[path = "golden/witness.rs"]
-mod witness;
-
 use std::array::from_fn;
 
 use ffrf::{InvariantError, InvariantExpectation, flexible_body};
 use ffrf_model::ReducedBody;
-use random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::{filled, witness};
 
 flexible_body! {
     struct General { modes: 3, layout: {} }

@@ -10,9 +10,6 @@ mod dual;
 #[rustfmt::skip]
 #[path = "golden/jacobians_m2.rs"]
 mod jacobians_m2;
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-#[allow(dead_code)]
-mod random_body;
 
 use dual::Dual;
 use ffrf::nalgebra::{SMatrix, SVector, Vector2, Vector3};
@@ -20,7 +17,7 @@ use ffrf::{FlexibleBodyJacobians, flexible_body};
 use ffrf_codegen::formulate::kernels::FORWARD_DYNAMICS;
 use ffrf_codegen::{GenerateOptions, KernelInput, Kernels};
 use ffrf_model::ReducedBody;
-use random_body::Random;
+use ffrf_test_kit::random::Random;
 
 /// Through mass matrices with condition numbers below 1e4, as in the committed bodies' own test.
 const SOLVED: f64 = 1e-10;

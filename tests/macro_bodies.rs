@@ -1,23 +1,13 @@
 //! The macro at work: models, fewer modes, single precision, invariants at run time; three doors, one code.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
-// Each test uses its part.
-#[allow(dead_code)]
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
-#[macro_use]
-#[path = "support/filled.rs"]
-mod filled;
-#[path = "golden/witness.rs"]
-mod witness;
-
 use std::path::Path;
 
 use ffrf::flexible_body;
 use ffrf_codegen::{GenerateOptions, Kernels, ScalarType, generate};
 use ffrf_model::ReducedBody;
+use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::{filled, witness};
 
 /// The model that the bodies below are made from.
 const MODEL: &str = "tests/models/random_m4.ffrf.json";
@@ -86,7 +76,7 @@ fn single_precision() {
 
 #[test]
 fn invariants_at_run_time_in_the_general_layout() {
-    let body = random_body::random_body(12, 2, random_body::Modes::Random);
+    let body = random_body(12, 2, Modes::Random);
     let general = filled!(General, body, f64);
     let kernels = Kernels::formulate(&body, &options(None)).unwrap();
     witness::check::<2, 8, _>(&general, &body, &kernels, true);
@@ -94,7 +84,7 @@ fn invariants_at_run_time_in_the_general_layout() {
 
 #[test]
 fn invariants_at_run_time_in_a_special_layout() {
-    let body = random_body::random_body(13, 3, random_body::Modes::FreeFree);
+    let body = random_body(13, 3, Modes::FreeFree);
     let given = witness::invariants::<3>(&body);
     let special = Special {
         mass: given.mass,

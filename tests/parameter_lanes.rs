@@ -2,23 +2,12 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-#[path = "../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
-#[path = "../ffrf-codegen/tests/common/random_body.rs"]
-#[allow(dead_code)]
-mod random_body;
-#[macro_use]
-#[path = "support/filled.rs"]
-mod filled;
-#[path = "golden/witness.rs"]
-#[allow(dead_code)]
-mod witness;
-
 use ffrf::flexible_body;
 use ffrf::nalgebra::{SVector, Vector3};
 use ffrf_codegen::{Fidelity, GenerateOptions, Kernels};
 use ffrf_model::ReducedBody;
-use random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::{filled, witness};
 
 flexible_body! {
     /// Everything dense but Θ_ff; stiffness and damping are taken from the force before the loops.

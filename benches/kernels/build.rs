@@ -2,9 +2,6 @@
 
 #[path = "src/cases.rs"]
 mod cases;
-#[path = "../../ffrf-codegen/tests/common/random_body.rs"]
-#[allow(dead_code)]
-mod random_body;
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -12,7 +9,6 @@ use std::path::Path;
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=src/cases.rs");
-    println!("cargo::rerun-if-changed=../../ffrf-codegen/tests/common/random_body.rs");
     let folder = std::env::var("OUT_DIR").expect("cargo sets OUT_DIR");
     let mut list = String::new();
     for case in cases::all() {

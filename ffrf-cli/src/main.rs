@@ -1,45 +1,8 @@
-//! The `ffrf` command: from finite-element files to a reduced body, to generated kernels, and checks of both.
-//!
-//! Exit codes: 0 done, 1 failed (bad input, failed check), 2 wrong usage. Results go to standard output or to
-//! the file named by `-o`; errors and progress go to standard error.
+//! The `ffrf` command; see the library `ffrf_cli`.
 #![forbid(unsafe_code)]
-
-mod arguments;
-mod describe;
-mod evaluate;
-mod fe_input;
-mod generate;
-mod generated_kernels;
-mod inspect;
-mod lane_body;
-mod lane_kernels;
-mod modes;
-mod output;
-mod reduce;
-mod report;
-mod sample_states;
-mod states;
-mod verify;
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
-use arguments::{Arguments, Command};
-
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Reduce(arguments) => reduce::run(&arguments),
-        Command::Inspect(arguments) => inspect::run(&arguments),
-        Command::Generate(arguments) => generate::run(&arguments),
-        Command::Evaluate(arguments) => evaluate::run(&arguments),
-        Command::Verify(arguments) => verify::run(&arguments),
-    };
-    match result {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("error: {}", report::chain(&error));
-            ExitCode::FAILURE
-        }
-    }
+    ffrf_cli::run()
 }

@@ -4,16 +4,13 @@
 #![allow(clippy::unwrap_used)]
 
 mod common;
-// The macro has fields of its own.
-#[allow(dead_code)]
-#[path = "../../tests/support/doors.rs"]
-mod doors;
 
 use std::path::Path;
 
 use common::Workbench;
 use ffrf_codegen::{GeneratedCode, generate, generate_with_layout};
 use ffrf_model::ReducedBody;
+use ffrf_test_kit::doors;
 
 #[track_caller]
 fn same_code(printed: &str, expected: &GeneratedCode, flags: &str) {

@@ -1,13 +1,9 @@
 //! Accelerations of badly proportioned bodies: the 3 x 3 inverses must not lose more than the body asks for.
 
-// Each test uses its part.
-#[allow(dead_code)]
-#[path = "common/random_body.rs"]
-mod random_body;
-
 use ffrf_codegen::formulate::kernels::ELASTIC_ENERGY;
 use ffrf_codegen::{GenerateOptions, KernelInput, Kernels, Strategy, generate};
-use random_body::{Modes, Random, random_body};
+use ffrf_test_kit::random::Random;
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// Of M w + Q + K q + D q̇ - f relative to the terms of its row: some dozens of roundings, of which 7e-16 is found. The
 /// frames are along the bodies and forces of any kind; for others see `tests/slender_bodies` of the facade.

@@ -1,14 +1,11 @@
 //! What each kernel costs, as snapshots: a change of cost is seen in the difference, by layout and by fidelity.
 
-#[path = "common/random_body.rs"]
-mod random_body;
-
 use std::fmt::Write as _;
 
 use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::layout::{Layout, Structure};
 use ffrf_codegen::{Fidelity, GenerateOptions, GeneratedCode, generate, generate_with_layout};
-use random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// Modes that are made orthogonal in the test are so to some ulp; what is zero must count as zero.
 const TOLERANCE: f64 = 1e-12;

@@ -104,13 +104,9 @@ fn with_users_name(tokens: TokenStream, name: &Ident) -> TokenStream {
 }
 
 #[cfg(test)]
-#[allow(dead_code)] // the flags are the command line's
-#[path = "../../tests/support/doors.rs"]
-mod doors;
-
-#[cfg(test)]
 mod tests {
     use ffrf_codegen::GenerateOptions;
+    use ffrf_test_kit::doors;
 
     use super::*;
 

@@ -1,13 +1,7 @@
 //! A flexible body in free flight: momentum and energy are kept, at the order of the method.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-mod common;
-
 use approx::assert_relative_eq;
-use common::bodies::cloud;
-use common::convergence::measured_order;
-use common::naive_body::NaiveBody;
-use common::tolerances::{CONSERVED_BY_RK4, ROUND_OFF, SLOPE};
 use ffrf_runtime::nalgebra::{UnitQuaternion, Vector2, Vector3};
 use ffrf_runtime::{FreeBody, Gravity, Observables, State};
 

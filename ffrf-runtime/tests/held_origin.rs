@@ -1,15 +1,13 @@
 //! Bodies held at their frame origin: the heavy top of the literature and the flexible pendulum.
 
-mod common;
-
 use approx::assert_relative_eq;
-use common::bodies::rigid_about;
-use common::convergence::measured_order;
-use common::held::HeldAtOrigin;
-use common::reference;
-use common::tolerances::{CONSERVED_BY_RK4, HEAVY_TOP_IN_PRINT, SLOPE, SOLVED};
 use ffrf_runtime::nalgebra::Vector3;
 use ffrf_runtime::{FreeBody, Gravity, rotation};
+use ffrf_test_kit::bodies::rigid_about;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::held::HeldAtOrigin;
+use ffrf_test_kit::reference;
+use ffrf_test_kit::tolerances::{CONSERVED_BY_RK4, HEAVY_TOP_IN_PRINT, SLOPE, SOLVED};
 
 #[test]
 fn the_heavy_top_turns_as_in_the_literature() {

@@ -1,10 +1,5 @@
 //! Lever arms of forces and Jacobians of marker positions: exact with the deformed one, off by Ψ q with the other.
 
-mod common;
-
-use common::bodies::{cloud, cloud_masses};
-use common::naive_body::NaiveBody;
-use common::tolerances::{CENTRED_DIFFERENCE, ROUND_OFF, SOLVED};
 use ffrf_runtime::forms::LeverArm::{Deformed, Undeformed};
 use ffrf_runtime::forms::{
     EulerParameterForm, LeverArm, force_about, marker_position_jacobian, marker_velocity_jacobian,
@@ -12,6 +7,9 @@ use ffrf_runtime::forms::{
 use ffrf_runtime::nalgebra::{DMatrix, Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
 use ffrf_runtime::rotation::euler_parameters;
 use ffrf_runtime::{DenseForms, FlexibleBody, Frame, FreeBody, GeneralisedForce, Marker, MarkerLoad};
+use ffrf_test_kit::bodies::{cloud, cloud_masses};
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::{CENTRED_DIFFERENCE, ROUND_OFF, SOLVED};
 
 const SEED: u64 = 11;
 

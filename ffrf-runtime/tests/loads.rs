@@ -1,11 +1,6 @@
 //! Loads and markers: powers, work, and their place in the equations.
 
-mod common;
-
 use approx::assert_relative_eq;
-use common::bodies::cloud;
-use common::naive_body::NaiveBody;
-use common::tolerances::{CENTRED_DIFFERENCE, CONSERVED_BY_RK4, ROUND_OFF, SOLVED};
 use ffrf_runtime::nalgebra::{SVector, UnitQuaternion, Vector3};
 use ffrf_runtime::{
     DenseForms, Frame, FreeBody, GeneralisedForce, Gravity, Load, MarkerLoad, Observables, State,
@@ -128,7 +123,7 @@ fn loads_add_up_and_know_the_time() {
     assert_eq!(difference[5], 6.0);
     assert_eq!(difference.norm(), 6.0);
     // a moment that grows with time: the order of both methods must survive explicit time
-    let mut spun = FreeBody::new(common::bodies::rigid(1.0, Vector3::new(1.0, 1.0, 2.0)));
+    let mut spun = FreeBody::new(ffrf_test_kit::bodies::rigid(1.0, Vector3::new(1.0, 1.0, 2.0)));
     let ramp = |_: &NaiveBody<0, 6>, time: f64, _: &State<Rigid>, force: &mut GeneralisedForce<Rigid>| {
         force.moment.z += time
     };

@@ -1,14 +1,12 @@
 //! What follows from [`Prepared`](ffrf_runtime::Prepared) against dense formulas: the modes eliminated first or not.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-mod common;
-
-use common::bodies::{cloud, rigid_about};
-use common::naive_body::NaiveBody;
-use common::provided::Provided;
-use common::tolerances::{ROUND_OFF, SOLVED};
 use ffrf_runtime::nalgebra::{Cholesky, Matrix3, SMatrix, SVector, Vector2, Vector3};
 use ffrf_runtime::{DenseForms, FlexibleBody, GeneralisedForce, ModalMatrix, Motion, Observables, RigidBody};
+use ffrf_test_kit::bodies::{cloud, rigid_about};
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::provided::Provided;
+use ffrf_test_kit::tolerances::{ROUND_OFF, SOLVED};
 
 /// A state, and a force, with no zero in them; numbers of order one.
 struct Sample<const M: usize, const N: usize> {

@@ -2,10 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers beside the tests
 
-mod common;
-
-use common::naive_body::{Invariants, NaiveBody};
-use common::tolerances::{REFERENCE_ACCELERATION, REFERENCE_MATRICES};
 use ffrf_runtime::forms::{EulerParameterForm, InertialForm, to_body, to_inertial};
 use ffrf_runtime::nalgebra::{Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
 use ffrf_runtime::{DenseForms, FlexibleBody, rotation};

@@ -1,9 +1,7 @@
 //! Free flight of the reference body, against a trajectory computed elsewhere.
 
-mod common;
-
-use common::reference;
-use common::tolerances::REFERENCE_TRAJECTORY;
+use ffrf_test_kit::reference;
+use ffrf_test_kit::tolerances::REFERENCE_TRAJECTORY;
 
 #[test]
 fn small_steps_follow_the_free_trajectory() {
@@ -18,12 +16,12 @@ fn small_steps_follow_the_free_trajectory() {
 #[test]
 fn the_linearly_implicit_step_follows_it_at_second_order() {
     let Some(file) = reference::read("traj_free_synth_m3.json") else { return };
-    let order = common::convergence::measured_order(10, 2, |steps| {
+    let order = ffrf_test_kit::convergence::measured_order(10, 2, |steps| {
         // steps per sample interval of 0.2 s, times 50
         let follow = reference::follow::<3, 9>(&file, 0.2 / (50 * steps) as f64, |body, step, _| {
             body.step_linearly_implicit(step, &()).unwrap();
         });
         follow.0
     });
-    assert!((order - 2.0).abs() < common::tolerances::SLOPE, "{order}");
+    assert!((order - 2.0).abs() < ffrf_test_kit::tolerances::SLOPE, "{order}");
 }

@@ -1,9 +1,5 @@
 //! Steps that are refused: the reason is told, nothing is changed, nothing panics.
 
-mod common;
-
-use common::bodies::{cloud, rigid};
-use common::naive_body::{Invariants, NaiveBody};
 use ffrf_runtime::nalgebra::{SVector, Vector3};
 use ffrf_runtime::{FreeBody, GeneralisedForce, State, StepError};
 use proptest::prelude::*;
@@ -92,7 +88,7 @@ proptest! {
         match result {
             Ok(_) => {
                 prop_assert!(body.state.is_finite());
-                prop_assert!((body.state.orientation.norm() - 1.0).abs() < common::tolerances::ROUND_OFF);
+                prop_assert!((body.state.orientation.norm() - 1.0).abs() < ffrf_test_kit::tolerances::ROUND_OFF);
             }
             Err(_) => prop_assert_eq!(format!("{body:?}"), before),
         }

@@ -1,14 +1,12 @@
 //! A rigid body (M = 0) without load: the laws of its motion, to the accuracy of the integrators.
 
-mod common;
-
 use approx::assert_relative_eq;
-use common::bodies::rigid;
-use common::convergence::measured_order;
-use common::naive_body::NaiveBody;
-use common::tolerances::{CONSERVED_BY_RK4, ROUND_OFF, SLOPE};
 use ffrf_runtime::nalgebra::{SVector, UnitQuaternion, Vector3};
 use ffrf_runtime::{FreeBody, Gravity, State};
+use ffrf_test_kit::bodies::rigid;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::{CONSERVED_BY_RK4, ROUND_OFF, SLOPE};
 
 fn tumbling() -> FreeBody<NaiveBody<0, 6>> {
     FreeBody::new(rigid(2.0, Vector3::new(1.0, 2.0, 2.5)))

@@ -1,11 +1,9 @@
 //! The same runtime in f32: it follows f64 to single precision.
 
-mod common;
-
-use common::naive_body::{Invariants, NaiveBody};
-use common::tolerances::SINGLE_PRECISION;
 use ffrf_runtime::nalgebra::{SVector, Vector3};
 use ffrf_runtime::{FreeBody, Gravity};
+use ffrf_test_kit::naive_body::{Invariants, NaiveBody};
+use ffrf_test_kit::tolerances::SINGLE_PRECISION;
 
 /// A bar with two equal end masses and one mode that lengthens it.
 macro_rules! bar {

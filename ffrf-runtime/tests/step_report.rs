@@ -1,14 +1,12 @@
 //! What a step reports: error estimates that overstate the true error and shrink with their own order.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-mod common;
-
-use common::bodies::cloud;
-use common::convergence::measured_order;
-use common::naive_body::NaiveBody;
-use common::tolerances::{ROUND_OFF, SLOPE};
 use ffrf_runtime::nalgebra::{Vector2, Vector3};
 use ffrf_runtime::{Drift, FreeBody, LocalError, StepReport};
+use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::{ROUND_OFF, SLOPE};
 
 type Body = FreeBody<NaiveBody<2, 8>>;
 

@@ -1,14 +1,12 @@
 //! Stiff modes: the linearly implicit step stays stable and accurate in the slow motion, RK4 does not.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-mod common;
-
-use common::bodies::cloud;
-use common::convergence::measured_order;
-use common::naive_body::NaiveBody;
-use common::tolerances::{QUIET_STIFF_MODES, SLOPE, SLOW_MOTION_AT_LARGE_STEP};
 use ffrf_runtime::nalgebra::{Vector2, Vector3};
 use ffrf_runtime::{Frame, FreeBody, Gravity, MarkerLoad, StepError};
+use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::{QUIET_STIFF_MODES, SLOPE, SLOW_MOTION_AT_LARGE_STEP};
 
 const STIFFNESS: f64 = 1e10;
 

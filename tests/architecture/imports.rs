@@ -37,6 +37,13 @@ fn law() -> BTreeMap<&'static str, Allowed> {
                 &["anyhow", "clap", "faer", "indicatif", "prettyplease", "serde", "serde_json", "tempfile"],
             ),
         ),
+        (
+            "ffrf-test-kit",
+            entry(
+                &["ffrf-codegen", "ffrf-model", "ffrf-runtime"],
+                &["num-rational", "num-traits", "serde_json"],
+            ),
+        ),
     ])
 }
 

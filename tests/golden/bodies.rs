@@ -3,7 +3,7 @@
 use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType};
 use ffrf_model::ReducedBody;
 
-use crate::random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// Name of the file and of the module, model and options of each golden body.
 pub fn all() -> Vec<(&'static str, ReducedBody, GenerateOptions)> {

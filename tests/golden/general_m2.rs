@@ -1191,7 +1191,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64>,
         ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 2>, f64> {
-            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(&force.to_vector::<8>()))))
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<8>()),
+            )))
         }
 
         #[inline]
@@ -1200,7 +1205,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::SVector<f64, 2> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1209,7 +1217,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             gravity: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64> {
-            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(support::array(q), support::array(gravity))))
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
         }
 
         #[inline]
@@ -1240,7 +1251,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 2>, f64> {
-            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(support::array(q), support::array(omega), support::array(q_dot));
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
             ::ffrf::Prepared {
                 mass,
                 first_moment: support::vector(first_moment),
@@ -1268,7 +1283,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1287,7 +1307,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1298,7 +1323,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1326,7 +1356,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1337,7 +1371,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::EquationsOfMotion {
                 mass_matrix: support::matrix(mass_matrix),
                 quadratic_velocity: support::vector(quadratic_velocity),

@@ -1351,7 +1351,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
             force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<T, 2>, T>,
         ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<T, 2>, T> {
-            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(&force.to_vector::<8>()))))
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<8>()),
+            )))
         }
 
         #[inline]
@@ -1360,7 +1365,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<T, 2>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> ::ffrf::nalgebra::SVector<T, 2> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1369,7 +1377,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<T, 2>,
             gravity: &::ffrf::nalgebra::Vector3<T>,
         ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<T, 2>, T> {
-            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(support::array(q), support::array(gravity))))
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
         }
 
         #[inline]
@@ -1400,7 +1411,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<T, 2>, T> {
-            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(support::array(q), support::array(omega), support::array(q_dot));
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
             ::ffrf::Prepared {
                 mass,
                 first_moment: support::vector(first_moment),
@@ -1428,7 +1443,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> T {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1447,7 +1467,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> ::ffrf::nalgebra::Vector3<T> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1458,7 +1483,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> ::ffrf::nalgebra::Vector3<T> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1486,7 +1516,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> ::ffrf::nalgebra::SVector<T, 8> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1497,7 +1531,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
             force: &::ffrf::nalgebra::SVector<T, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, T> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::EquationsOfMotion {
                 mass_matrix: support::matrix(mass_matrix),
                 quadratic_velocity: support::vector(quadratic_velocity),

@@ -2361,7 +2361,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64>,
         ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 2>, f64> {
-            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(&force.to_vector::<8>()))))
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<8>()),
+            )))
         }
 
         #[inline]
@@ -2370,7 +2375,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::SVector<f64, 2> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -2379,7 +2387,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             gravity: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64> {
-            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(support::array(q), support::array(gravity))))
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
         }
 
         #[inline]
@@ -2410,7 +2421,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 2>, f64> {
-            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(support::array(q), support::array(omega), support::array(q_dot));
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
             ::ffrf::Prepared {
                 mass,
                 first_moment: support::vector(first_moment),
@@ -2438,7 +2453,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -2457,7 +2477,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -2468,7 +2493,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -2496,7 +2526,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -2507,7 +2541,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::EquationsOfMotion {
                 mass_matrix: support::matrix(mass_matrix),
                 quadratic_velocity: support::vector(quadratic_velocity),
@@ -2543,7 +2582,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::AccelerationJacobian<2, 8, f64> {
-            let (acceleration, coordinates, rates, angular_velocity, force) = acceleration_jacobian(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (acceleration, coordinates, rates, angular_velocity, force) = acceleration_jacobian(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::AccelerationJacobian {
                 acceleration: support::vector(acceleration),
                 coordinates: support::matrix(coordinates),
@@ -2562,7 +2606,13 @@ const _: () = {
             acceleration: &::ffrf::nalgebra::SVector<f64, 8>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::ResidualJacobian<2, 8, f64> {
-            let (residual, coordinates, rates, angular_velocity, acceleration) = residual_jacobian(support::array(q), support::array(omega), support::array(q_dot), support::array(acceleration), support::array(force));
+            let (residual, coordinates, rates, angular_velocity, acceleration) = residual_jacobian(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(acceleration),
+                support::array(force),
+            );
             ::ffrf::ResidualJacobian {
                 residual: support::vector(residual),
                 coordinates: support::matrix(coordinates),

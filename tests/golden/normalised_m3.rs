@@ -1538,7 +1538,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
             force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 3>, f64>,
         ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 3>, f64> {
-            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(&force.to_vector::<9>()))))
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<9>()),
+            )))
         }
 
         #[inline]
@@ -1547,7 +1552,10 @@ const _: () = {
             q: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1556,7 +1564,10 @@ const _: () = {
             q: &::ffrf::nalgebra::Vector3<f64>,
             gravity: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 3>, f64> {
-            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(support::array(q), support::array(gravity))))
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
         }
 
         #[inline]
@@ -1587,7 +1598,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 3>, f64> {
-            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(support::array(q), support::array(omega), support::array(q_dot));
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
             ::ffrf::Prepared {
                 mass,
                 first_moment: support::vector(first_moment),
@@ -1615,7 +1630,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1634,7 +1654,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1645,7 +1670,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1673,7 +1703,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1684,7 +1718,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
             force: &::ffrf::nalgebra::SVector<f64, 9>,
         ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::EquationsOfMotion {
                 mass_matrix: support::matrix(mass_matrix),
                 quadratic_velocity: support::vector(quadratic_velocity),

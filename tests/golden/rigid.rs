@@ -516,7 +516,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
             force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 0>, f64>,
         ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 0>, f64> {
-            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(&force.to_vector::<6>()))))
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<6>()),
+            )))
         }
 
         #[inline]
@@ -525,7 +530,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 0>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> ::ffrf::nalgebra::SVector<f64, 0> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -534,7 +542,10 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 0>,
             gravity: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 0>, f64> {
-            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(support::array(q), support::array(gravity))))
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
         }
 
         #[inline]
@@ -565,7 +576,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 0>, f64> {
-            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(support::array(q), support::array(omega), support::array(q_dot));
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
             ::ffrf::Prepared {
                 mass,
                 first_moment: support::vector(first_moment),
@@ -588,7 +603,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -607,7 +627,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -618,7 +643,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -646,7 +676,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> ::ffrf::nalgebra::SVector<f64, 6> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -657,7 +691,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
             force: &::ffrf::nalgebra::SVector<f64, 6>,
         ) -> ::ffrf::EquationsOfMotion<0, 6, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::EquationsOfMotion {
                 mass_matrix: support::matrix(mass_matrix),
                 quadratic_velocity: support::vector(quadratic_velocity),

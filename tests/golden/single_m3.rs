@@ -1322,7 +1322,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
             force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f32, 3>, f32>,
         ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f32, 3>, f32> {
-            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(&force.to_vector::<9>()))))
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<9>()),
+            )))
         }
 
         #[inline]
@@ -1331,7 +1336,10 @@ const _: () = {
             q: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::nalgebra::Vector3<f32> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1340,7 +1348,10 @@ const _: () = {
             q: &::ffrf::nalgebra::Vector3<f32>,
             gravity: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f32, 3>, f32> {
-            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(support::array(q), support::array(gravity))))
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
         }
 
         #[inline]
@@ -1371,7 +1382,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f32, 3>, f32> {
-            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(support::array(q), support::array(omega), support::array(q_dot));
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
             ::ffrf::Prepared {
                 mass,
                 first_moment: support::vector(first_moment),
@@ -1399,7 +1414,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> f32 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1418,7 +1438,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::nalgebra::Vector3<f32> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1429,7 +1454,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::nalgebra::Vector3<f32> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1457,7 +1487,11 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::nalgebra::SVector<f32, 9> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1468,7 +1502,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
             force: &::ffrf::nalgebra::SVector<f32, 9>,
         ) -> ::ffrf::EquationsOfMotion<3, 9, f32> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::EquationsOfMotion {
                 mass_matrix: support::matrix(mass_matrix),
                 quadratic_velocity: support::vector(quadratic_velocity),

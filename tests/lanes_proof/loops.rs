@@ -4,6 +4,7 @@ use ffrf::generated_support::lanes::{
     Dense, LaneBody, MomentStructure, MomentTable, ParameterDiagonal, ParameterMoments, Parameters,
     Symmetric, traces,
 };
+use ffrf_cli::lane_body::Bodies;
 use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
@@ -12,7 +13,6 @@ use ffrf_codegen::invariants::{Invariant, Structure};
 use ffrf_codegen::lanes::LaneTables;
 use ffrf_codegen::layout::Layout;
 
-use crate::lane_body::Bodies;
 use crate::symbolic::{Symbolic, record};
 
 /// What the kernels over lanes compute.

@@ -12,8 +12,6 @@ mod symbolic;
 mod compare;
 #[path = "../../ffrf-codegen/tests/proof/exact.rs"]
 mod exact;
-#[path = "../../ffrf-cli/src/lane_body.rs"]
-mod lane_body;
 #[path = "../../ffrf-codegen/tests/proof/mutated.rs"]
 mod mutated;
 #[path = "../../ffrf-codegen/tests/proof/residual.rs"]

@@ -1,11 +1,7 @@
 //! Links the C runtime's start code, which calls `main`; nothing else of it is used. Generates a body of many modes.
 
-#[path = "../../ffrf-codegen/tests/common/random_body.rs"]
-#[allow(dead_code)]
-mod random_body;
-
 use ffrf_codegen::{GenerateOptions, generate};
-use random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// The first number of modes whose moments are stored by half.
 const MANY: usize = 20;

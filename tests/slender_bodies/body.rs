@@ -3,7 +3,7 @@
 use ffrf::nalgebra::{Matrix3, Rotation3, Vector3};
 use ffrf_model::ReducedBody;
 
-use crate::random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// A body with its long axis along x, thinner by the factor `thickness` in y and z, then turned with its modes.
 pub fn slender_body(seed: u64, modes: usize, thickness: f64, turn: &Rotation3<f64>) -> ReducedBody {

@@ -10,21 +10,13 @@ mod tolerances;
 
 #[path = "../../ffrf-codegen/tests/proof/exact.rs"]
 mod exact;
-#[path = "../../ffrf-cli/src/lane_body.rs"]
-mod lane_body;
-// Only accelerations are asked for.
-#[allow(dead_code)]
-#[path = "../../ffrf-cli/src/lane_kernels.rs"]
-mod lane_kernels;
-#[allow(dead_code)]
-#[path = "../../ffrf-codegen/tests/common/random_body.rs"]
-mod random_body;
 
 use body::slender_body;
 use exact_motion::{Errors, ExactMotion, Force};
 use ffrf::nalgebra::{DMatrix, DVector, Rotation3, Vector3};
+use ffrf_cli::lane_kernels;
 use ffrf_codegen::{GenerateOptions, Kernels, Strategy, lanes};
-use random_body::Random;
+use ffrf_test_kit::random::Random;
 use tolerances::{ACCELERATION, FACTORISED};
 
 /// A state at which the body is still slender: deformed by no more than its thickness.

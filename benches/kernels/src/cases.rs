@@ -3,7 +3,7 @@
 use ffrf_codegen::{Fidelity, GenerateOptions, ScalarType, Strategy};
 use ffrf_model::ReducedBody;
 
-use crate::random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// A body to generate.
 pub struct Case {

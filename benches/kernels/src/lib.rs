@@ -1,17 +1,10 @@
 //! Generated bodies for benchmarks and for the tests of the strategies.
 #![forbid(unsafe_code)]
 
-#[path = "../../../ffrf-codegen/tests/common/random_body.rs"]
-#[allow(dead_code)]
-pub mod random_body;
-
 pub mod cases;
 pub mod columns;
 pub mod storage;
 pub mod table;
 pub mod timing;
-
-#[path = "../../../ffrf-runtime/tests/common/naive_body.rs"]
-pub mod naive_body;
 
 include!(concat!(env!("OUT_DIR"), "/bodies.rs"));

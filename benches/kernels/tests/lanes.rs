@@ -1,12 +1,8 @@
 //! Lanes compute what the interpreter and the naive form compute: every layout, with and without padding.
 
-use kernels::{cases, naive_body, random_body};
-
-#[path = "../../../tests/golden/witness.rs"]
-#[allow(dead_code)]
-mod witness;
-
 use ffrf_codegen::Kernels;
+use ffrf_test_kit::witness;
+use kernels::cases;
 
 fn find(name: &str) -> (Kernels, ffrf_model::ReducedBody) {
     let case = cases::all().into_iter().find(|case| case.name == name).unwrap();

@@ -1,8 +1,8 @@
 //! Readers: files of FE codes to [`FeModel`](crate::FeModel).
 //!
-//! Stages: a file's bytes (`source`, hashed while read) -> numbers (`short` for ordinary
-//! lines, `scan` for all) -> entries as listed
-//! (`entries`, one reader per format) -> sorted lines (`lines`) -> symmetric sparse matrix (`symmetric`) -> checked model (`model`).
+//! Rooms, each using those before it: `text` (bytes of a file, hashed while read, and the numbers in them), `nodes`,
+//! `matrix` (entries as listed -> sorted lines -> symmetric matrix -> scalar mass, definiteness), `formats` (one
+//! reader per format), `model` (the parts put together and checked).
 //!
 //! | Source | Nodes | Matrices |
 //! |---|---|---|
@@ -22,40 +22,22 @@
 //! Three displacement degrees of freedom per node; no constraint equations (`*EQUATION`, `*TIE`, `*MPC`): their
 //! matrices have fewer rows than the mesh and are refused for their size.
 
-mod ansys;
-mod calculix;
-mod chunk;
-mod compressed;
-mod decimal;
-mod deck;
-mod definiteness;
-mod digits;
-mod entries;
-mod large_definiteness;
-mod lines;
-mod listed_matrix;
-mod mass;
-mod matrix_file;
-mod matrix_market;
-mod mirror;
-mod mode_shapes;
+mod error;
+mod formats;
+mod matrix;
 mod model;
 mod model_files;
-mod node_table;
-mod npz_archive;
-mod numpy;
-mod provenance;
-mod raw_matrix;
-mod scan;
-mod short;
-mod source;
-mod symmetric;
-mod text_table;
+mod nodes;
+mod note;
+mod options;
+mod text;
 
-pub use matrix_file::read_matrix;
-pub use mode_shapes::{read_mode_shapes, read_square_matrix};
-pub use model_files::{ModelFiles, NodeSource, read_model};
-pub use provenance::source_file;
+pub use error::ImportError;
+pub use formats::{read_matrix, read_mode_shapes, read_square_matrix};
+pub use model_files::{Import, ModelFiles, NodeSource, read_model, read_model_with};
+pub use note::{Note, Weight};
+pub use options::{INFLATED_LIMIT, ImportOptions, MassForm};
+pub use text::source_file;
 
 #[cfg(test)]
 mod tests;

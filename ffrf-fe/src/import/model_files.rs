@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use super::calculix::RowMap;
-use super::compressed::stored_path;
-use super::node_table::{NodeLookup, NodeTable};
-use super::raw_matrix::RawMatrix;
-use super::source::Source;
-use super::{ansys, calculix, deck, matrix_file, model, numpy, text_table};
-use crate::{FeError, FeModel};
+use super::formats::{ansys, calculix, deck, matrix_file, numpy, text_table};
+use super::matrix::raw_matrix::RawMatrix;
+use super::model;
+use super::nodes::{ElementTrouble, NodeLookup, NodeTable, TroubleKind};
+use super::text::compressed::stored_path;
+use super::text::source::Source;
+use super::{ImportError, ImportOptions, Note};
+use crate::FeModel;
 
 /// What the user named on the command line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,15 +43,79 @@ pub enum NodeSource {
     },
 }
 
+/// A model as its files give it, and what the import took for granted or found odd.
+#[derive(Debug, Clone)]
+pub struct Import {
+    /// The checked model.
+    pub model: FeModel,
+    /// Remarks for the user, in the order of the files.
+    pub notes: Vec<Note>,
+}
+
+/// Reads and checks a model, taking nothing for granted that the files do not say: [`read_model_with`] and the default
+/// options, without the notes.
+///
+/// # Errors
+/// Whatever makes the files unusable, with file, line and numbers: see [`ImportError`].
+pub fn read_model(files: &ModelFiles) -> Result<FeModel, ImportError> {
+    read_model_with(files, &ImportOptions::default()).map(|import| import.model)
+}
+
 /// Reads and checks a model.
 ///
 /// Node rows follow the node file, except with an ANSYS mapping, where they follow the matrices. Nodes that no
 /// element and no matrix uses are left out.
 ///
 /// # Errors
-/// Whatever makes the files unusable, with file, line and numbers: see [`FeError`].
-pub fn read_model(files: &ModelFiles) -> Result<FeModel, FeError> {
-    let Nodes { mut table, sources, row_map } = read_nodes(&files.nodes)?;
+/// Whatever makes the files unusable, with file, line and numbers: see [`ImportError`].
+pub fn read_model_with(files: &ModelFiles, options: &ImportOptions) -> Result<Import, ImportError> {
+    let mut notes = Vec::new();
+    let (mut table, sources) = read_nodes(&files.nodes, options, &mut notes)?;
+    let troubles = std::mem::take(&mut table.troubles);
+    let calculix = matches!(files.nodes, NodeSource::Calculix(_));
+    let internal = troubles.into_iter().find(|trouble| match trouble.kind {
+        TroubleKind::InternalNodes => calculix,
+        TroubleKind::SingularMass => {
+            if calculix {
+                notes.push(singular_mass(trouble));
+            }
+            false
+        }
+    });
+    read_matrices(files, table, sources, options, notes).map_err(|fault| match internal {
+        Some(ElementTrouble { element, path, line, .. }) if is_about_rows(&fault) => {
+            let reason =
+                "CalculiX writes rows for internal nodes that the deck does not know; use C3D8 or C3D20";
+            ImportError::ElementType { path, line, element, reason, fault: Box::new(fault) }
+        }
+        _ => fault,
+    })
+}
+
+/// Whether internal nodes in the matrices can be the cause of an error.
+fn is_about_rows(fault: &ImportError) -> bool {
+    matches!(
+        fault,
+        ImportError::UnknownNode { .. } | ImportError::SizeMismatch { .. } | ImportError::Anisotropic { .. }
+    )
+}
+
+fn singular_mass(ElementTrouble { element, path, line, .. }: &ElementTrouble) -> Note {
+    Note::warning(format!(
+        "{}:{line}: element type {element}: CalculiX integrates its mass with too few points, so that the mass matrix \
+         is singular and some of its modes have no mass; use C3D20 or C3D10",
+        path.display()
+    ))
+}
+
+fn read_matrices(
+    files: &ModelFiles,
+    mut table: NodeTable,
+    sources: Vec<(&'static str, Source)>,
+    options: &ImportOptions,
+    mut notes: Vec<Note>,
+) -> Result<Import, ImportError> {
+    let limit = options.inflated_limit;
     let lookup = NodeLookup::new(&table.nodes.ids);
     let beside = |extension: &str| match &files.nodes {
         NodeSource::Calculix(deck) => {
@@ -58,17 +123,19 @@ pub fn read_model(files: &ModelFiles) -> Result<FeModel, FeError> {
         }
         _ => None,
     };
+    let row_map = beside("dof").map(|path| calculix::read_row_map(&path, &lookup, limit)).transpose()?;
     let Some(mass_path) = files.mass.clone().or_else(|| beside("mas")) else {
         let advice = match &files.nodes {
             NodeSource::Calculix(deck) => format!("expected {}", deck.with_extension("mas").display()),
             _ => "name it with --mass".to_owned(),
         };
-        return Err(FeError::MissingFile { role: "mass", advice });
+        return Err(ImportError::MissingFile { role: "mass", advice });
     };
-    let read = |path: &Path| -> Result<RawMatrix, FeError> {
+    let read = |path: &Path| -> Result<RawMatrix, ImportError> {
+        let source = Source::read_unhashed(path, limit)?;
         let mut raw = match &row_map {
-            Some(map) => calculix::read_matrix(path, &lookup, map)?,
-            None => matrix_file::read(path, &lookup)?,
+            Some(map) => calculix::read_matrix(source, &lookup, map)?,
+            None => matrix_file::read_square(source, &lookup)?,
         };
         raw.source.start_hash();
         Ok(raw)
@@ -76,14 +143,17 @@ pub fn read_model(files: &ModelFiles) -> Result<FeModel, FeError> {
     let mut mass = read(&mass_path)?;
     let stiffness = files.stiffness.clone().or_else(|| beside("sti"));
     let mut stiffness = stiffness.map(|path| read(&path)).transpose()?;
-    model::drop_unused_nodes(&mut table, &mut mass, stiffness.as_mut(), row_map.is_some());
-    let parts = model::assemble(&table, &mut mass, stiffness.as_mut())?;
+    for raw in std::iter::once(&mass).chain(&stiffness) {
+        notes.extend(raw.reading(row_map.is_some()));
+    }
+    model::drop_unused_nodes(&mut table, &mut mass, stiffness.as_mut(), row_map.is_some(), &mut notes);
+    let parts = model::assemble(&table, &mut mass, stiffness.as_mut(), options, &mut notes)?;
 
     let mut hashed: Vec<_> = sources.into_iter().map(|(role, source)| source.finish(role)).collect();
     hashed.extend(row_map.map(|map| map.source.finish("degrees of freedom")));
     hashed.push(mass.source.finish("mass"));
     hashed.extend(stiffness.map(|raw| raw.source.finish("stiffness")));
-    Ok(FeModel {
+    let model = FeModel {
         nodes: table.nodes,
         mass: parts.mass.matrix,
         mass_anisotropy: parts.mass.anisotropy,
@@ -91,48 +161,46 @@ pub fn read_model(files: &ModelFiles) -> Result<FeModel, FeError> {
         fixed_dofs: parts.fixed_dofs,
         elements: table.elements,
         sources: hashed,
-    })
+    };
+    Ok(Import { model, notes })
 }
 
-struct Nodes {
-    table: NodeTable,
-    sources: Vec<(&'static str, Source)>,
-    row_map: Option<RowMap>,
-}
-
-fn read_nodes(nodes: &NodeSource) -> Result<Nodes, FeError> {
-    let (table, sources, row_map) = match nodes {
+/// The node table and the files it came from.
+fn read_nodes(
+    nodes: &NodeSource,
+    options: &ImportOptions,
+    notes: &mut Vec<Note>,
+) -> Result<(NodeTable, Vec<(&'static str, Source)>), ImportError> {
+    let limit = options.inflated_limit;
+    Ok(match nodes {
         NodeSource::Text(path) => {
-            let source = Source::read(path)?;
-            (text_table::read_nodes(&source)?, vec![("nodes", source)], None)
+            let source = Source::read(path, limit)?;
+            (text_table::read_nodes(&source)?, vec![("nodes", source)])
         }
         NodeSource::Numpy(path) => {
-            let source = Source::read(path)?;
-            (numpy::read_nodes(&source)?, vec![("nodes", source)], None)
+            let source = Source::read(path, limit)?;
+            (numpy::read_nodes(&source)?, vec![("nodes", source)])
         }
-        NodeSource::Abaqus(path) => {
-            let (table, sources) = deck::read(path)?;
-            (table, sources.into_iter().map(|source| ("nodes", source)).collect(), None)
-        }
-        NodeSource::Calculix(path) => {
-            let (table, sources) = deck::read(path)?;
-            let lookup = NodeLookup::new(&table.nodes.ids);
-            let map = path.with_extension("dof");
-            let map =
-                if stored_path(&map).exists() { Some(calculix::read_row_map(&map, &lookup)?) } else { None };
-            (table, sources.into_iter().map(|source| ("nodes", source)).collect(), map)
+        NodeSource::Abaqus(path) | NodeSource::Calculix(path) => {
+            let (table, sources) = deck::read(path, limit)?;
+            (table, sources.into_iter().map(|source| ("nodes", source)).collect())
         }
         NodeSource::Ansys { nodes, mapping } => {
-            let source = Source::read(nodes)?;
+            let source = Source::read(nodes, limit)?;
             let mut table = ansys::read_nodes(&source)?;
             let mut sources = vec![("nodes", source)];
-            if let Some(path) = mapping {
-                let mapping = Source::read(path)?;
-                table = ansys::order_by_mapping(table, &mapping)?;
-                sources.push(("node mapping", mapping));
+            match mapping {
+                Some(path) => {
+                    let mapping = Source::read(path, limit)?;
+                    table = ansys::order_by_mapping(table, &mapping)?;
+                    sources.push(("node mapping", mapping));
+                }
+                None => notes.push(Note::reading(format!(
+                    "{}: no --mapping is given, so the matrices are taken to be in the order of this table",
+                    nodes.display()
+                ))),
             }
-            (table, sources, None)
+            (table, sources)
         }
-    };
-    Ok(Nodes { table, sources, row_map })
+    })
 }

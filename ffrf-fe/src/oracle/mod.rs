@@ -12,13 +12,14 @@
 //! `f64`, so that a deviation is that of the other side.
 
 mod compensated;
-mod scale;
+mod magnitudes;
 
 use faer::MatRef;
 
-use crate::{FeError, FeModel, ModeBasis, SparseMatrix};
+use crate::modes::ModeError;
+use crate::{FeModel, ModeBasis, SparseMatrix};
 use compensated::{Sum, dot};
-pub use scale::{Scales, group_of};
+pub use magnitudes::{Scales, group_of};
 
 /// A finite-element model with a mode basis, ready to be evaluated state by state.
 #[derive(Debug, Clone, Copy)]
@@ -76,16 +77,11 @@ type Field = Vec<[f64; 3]>;
 impl<'a> Oracle<'a> {
     /// Takes the nodes, matrices and mode shapes as they are.
     ///
-    /// Errors: [`FeError::SizeMismatch`] if the mode shapes do not have three rows per node.
-    pub fn new(model: &'a FeModel, basis: &'a ModeBasis) -> Result<Self, FeError> {
-        let (rows, expected) = (basis.shapes.nrows(), 3 * model.nodes.len());
-        if rows != expected {
-            return Err(FeError::SizeMismatch {
-                path: "mode shapes".into(),
-                expected: format!("{expected} rows (three per node)"),
-                found: rows,
-                what: "rows",
-            });
+    /// Errors: [`ModeError::ModeShapeRows`] if the mode shapes do not have three rows per node.
+    pub fn new(model: &'a FeModel, basis: &'a ModeBasis) -> Result<Self, ModeError> {
+        let (found, nodes) = (basis.shapes.nrows(), model.nodes.len());
+        if found != 3 * nodes {
+            return Err(ModeError::ModeShapeRows { nodes, expected: 3 * nodes, found });
         }
         Ok(Self { model, shapes: basis.shapes.as_ref() })
     }

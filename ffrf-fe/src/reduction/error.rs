@@ -4,16 +4,6 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReductionError {
-    /// The mode shapes do not fit the node table.
-    #[error("mode shapes: expected {expected} rows (3 for each of {nodes} nodes), found {found}")]
-    ShapeRows {
-        /// Number of nodes N.
-        nodes: usize,
-        /// 3 N.
-        expected: usize,
-        /// Rows found.
-        found: usize,
-    },
     /// The basis describes another number of modes than it has shapes.
     #[error("mode basis: {shapes} shapes, but {modes} mode descriptions")]
     ModeCount {

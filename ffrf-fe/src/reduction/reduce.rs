@@ -3,6 +3,7 @@
 use faer::Mat;
 use ffrf_model::{Inertia, Provenance, ReducedBody, SCHEMA_VERSION};
 
+use crate::modes::ModeError;
 use crate::{FeError, FeModel, ModeBasis};
 
 use super::damping::modal_damping;
@@ -25,7 +26,7 @@ pub fn reduce(
     let shapes = &basis.shapes;
     let nodes = model.nodes.len();
     if shapes.nrows() != 3 * nodes {
-        return Err(ReductionError::ShapeRows { nodes, expected: 3 * nodes, found: shapes.nrows() }.into());
+        return Err(ModeError::ModeShapeRows { nodes, expected: 3 * nodes, found: shapes.nrows() }.into());
     }
     if shapes.ncols() != basis.modes.len() {
         return Err(ReductionError::ModeCount { shapes: shapes.ncols(), modes: basis.modes.len() }.into());

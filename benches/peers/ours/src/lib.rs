@@ -12,9 +12,6 @@ mod generated {
 
 #[cfg(feature = "naive")]
 mod naive;
-#[cfg(feature = "naive")]
-#[path = "../../../../ffrf-runtime/tests/common/naive_body.rs"]
-mod naive_body;
 
 #[cfg(not(feature = "naive"))]
 fn body() -> &'static generated::Body {

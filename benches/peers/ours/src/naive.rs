@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
-use crate::naive_body::{Invariants, NaiveBody};
 use crate::{M, N};
+use ffrf_test_kit::naive_body::{Invariants, NaiveBody};
 
 static BODY: OnceLock<Box<NaiveBody<M, N>>> = OnceLock::new();
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::*;
-use crate::import::read_mode_shapes;
+use crate::import::{ImportOptions, read_mode_shapes, read_model_with};
 
 /// Both sides come from the same printed numbers; summing and averaging costs a few units in the last place.
 const AGREEMENT: f64 = 1e-14;
@@ -21,7 +21,10 @@ fn reference(name: &str) -> Option<FeModel> {
     let folder = shared("reference/fe")?.join(name);
     let nodes = NodeSource::Text(folder.join("X.txt"));
     let stiffness = Some(folder.join("K.mtx")).filter(|path| path.exists());
-    Some(read_model(&ModelFiles { nodes, mass: Some(folder.join("Ms.mtx")), stiffness }).unwrap())
+    let files = ModelFiles { nodes, mass: Some(folder.join("Ms.mtx")), stiffness };
+    let import = read_model_with(&files, &ImportOptions::default()).unwrap();
+    assert_eq!(import.notes, [], "{name}: nothing is odd about a sound export, and no form is guessed");
+    Some(import.model)
 }
 
 fn deviation(found: &SparseMatrix, wanted: &SparseMatrix) -> f64 {

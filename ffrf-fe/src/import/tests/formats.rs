@@ -112,7 +112,7 @@ fn ansys_nodes_with_decimal_commas_in_matrix_order() {
     }
 }
 
-fn npy<T: npyz::AutoSerialize + Copy>(values: &[T], shape: &[u64]) -> Vec<u8> {
+pub(super) fn npy<T: npyz::AutoSerialize + Copy>(values: &[T], shape: &[u64]) -> Vec<u8> {
     use npyz::WriterBuilder;
     let mut bytes = Vec::new();
     let mut writer =

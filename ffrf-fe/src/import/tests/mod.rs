@@ -4,11 +4,14 @@ mod defects;
 mod exports;
 mod formats;
 mod held;
+mod hostile;
+mod one_sided;
 
 use std::path::PathBuf;
 
 use super::{ModelFiles, NodeSource, read_model};
-use crate::{FeError, FeModel, SparseMatrix};
+use crate::import::ImportError;
+use crate::{FeModel, SparseMatrix};
 
 /// A folder of small files.
 struct Folder(tempfile::TempDir);
@@ -27,11 +30,11 @@ impl Folder {
     }
 
     /// Text nodes `x.txt`, mass `m.mtx` and, if there is one, stiffness `k.mtx`.
-    fn plain(&self) -> Result<FeModel, FeError> {
+    fn plain(&self) -> Result<FeModel, ImportError> {
         self.with_nodes(NodeSource::Text(self.path("x.txt")))
     }
 
-    fn with_nodes(&self, nodes: NodeSource) -> Result<FeModel, FeError> {
+    fn with_nodes(&self, nodes: NodeSource) -> Result<FeModel, ImportError> {
         let stiffness = Some(self.path("k.mtx")).filter(|path| path.exists());
         read_model(&ModelFiles { nodes, mass: Some(self.path("m.mtx")), stiffness })
     }

@@ -1,0 +1,50 @@
+//! The `ffrf` command: from finite-element files to a reduced body, to generated kernels, and checks of both.
+//!
+//! The binary calls [`run`]. What is public besides runs the kernels of a body that was read a moment ago; tests use it.
+//!
+//! Exit codes: 0 done, 1 failed (bad input, failed check), 2 wrong usage. Results go to standard output or to
+//! the file named by `-o`; errors and progress go to standard error.
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod describe;
+mod evaluate;
+mod fe_input;
+mod generate;
+pub mod generated_kernels;
+mod inspect;
+pub mod lane_body;
+pub mod lane_kernels;
+mod modes;
+mod output;
+mod reduce;
+mod report;
+mod sample_states;
+mod states;
+mod verify;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+
+/// Does what the command line of this process asks for.
+///
+/// Wrong usage ends the process with a message and exit code 2.
+pub fn run() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Reduce(arguments) => reduce::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
+        Command::Generate(arguments) => generate::run(&arguments),
+        Command::Evaluate(arguments) => evaluate::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {}", report::chain(&error));
+            ExitCode::FAILURE
+        }
+    }
+}

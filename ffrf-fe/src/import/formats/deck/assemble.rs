@@ -1,0 +1,117 @@
+//! From parts and instances to one node table.
+
+use std::collections::HashSet;
+
+use super::mesh::{Mesh, Place};
+use super::sets::sets;
+use crate::import::ImportError;
+use crate::import::nodes::{NodeLookup, NodeTable};
+use crate::import::text::source::Source;
+use crate::{Element, Nodes};
+
+/// Where the nodes of one mesh went.
+pub(super) struct Placed<'a> {
+    pub(super) mesh: &'a Mesh,
+    /// Labels of the mesh, ascending, each once.
+    pub(super) labels: Vec<u64>,
+    /// Row in the whole table of each node of the mesh.
+    rows: Vec<usize>,
+    lookup: NodeLookup,
+}
+
+impl Placed<'_> {
+    /// Row in the whole table of a label of the mesh.
+    pub(super) fn row(&self, label: u64) -> Option<usize> {
+        self.lookup.row(label).map(|local| self.rows[local])
+    }
+
+    /// Where the labels from `first` to `last` stand among [`Self::labels`].
+    pub(super) fn labels_between(&self, first: u64, last: u64) -> (usize, usize) {
+        let from = self.labels.partition_point(|&label| label < first);
+        (from, self.labels.partition_point(|&label| label <= last))
+    }
+}
+
+/// Puts all meshes into one table. Where labels of two instances clash, those of the later one are raised by the
+/// largest label before.
+pub(super) fn assemble(meshes: &[Mesh], sources: &[Source]) -> Result<NodeTable, ImportError> {
+    let mut nodes = Nodes::default();
+    let mut taken: HashSet<u64> = HashSet::new();
+    let mut placed: Vec<Placed<'_>> = Vec::new();
+    for mesh in meshes {
+        let lookup = NodeLookup::new(&mesh.ids);
+        let clash = mesh.ids.iter().any(|id| taken.contains(id));
+        let raise = if clash { nodes.ids.iter().copied().max().unwrap_or(0) } else { 0 };
+        let mut rows = Vec::with_capacity(mesh.ids.len());
+        for (local, &id) in mesh.ids.iter().enumerate() {
+            // A table keeps the last of equal labels: an earlier one was given again.
+            let last = lookup.row(id).unwrap_or(local);
+            let Place { source, at } = mesh.places[last];
+            let place = || (sources[source].path().to_path_buf(), sources[source].line_of(at));
+            if last != local {
+                if mesh.positions[last] != mesh.positions[local] {
+                    let (path, line) = place();
+                    return Err(ImportError::DuplicateNode { path, line, id });
+                }
+                rows.push(usize::MAX);
+                continue;
+            }
+            let Some(raised) = id.checked_add(raise) else {
+                let (path, line) = place();
+                return Err(ImportError::LabelOverflow { path, line, id, raise });
+            };
+            rows.push(nodes.ids.len());
+            nodes.ids.push(raised);
+            nodes.positions.push(mesh.placement.apply(mesh.positions[local]));
+        }
+        let new = nodes.ids.len() - rows.iter().filter(|&&row| row != usize::MAX).count();
+        taken.extend(&nodes.ids[new..]);
+        let mut labels = mesh.ids.clone();
+        labels.sort_unstable();
+        labels.dedup();
+        placed.push(Placed { mesh, labels, rows, lookup });
+    }
+    let elements = elements(&placed, sources, nodes.len())?;
+    nodes.sets = sets(&placed, sources)?;
+    let attached = meshes.iter().any(|mesh| !mesh.elements.is_empty()).then_some(elements.attached);
+    Ok(NodeTable { nodes, elements: elements.drawable, attached, ..NodeTable::default() })
+}
+
+struct Elements {
+    drawable: Vec<Element>,
+    attached: Vec<bool>,
+}
+
+fn elements(placed: &[Placed<'_>], sources: &[Source], nodes: usize) -> Result<Elements, ImportError> {
+    let mut drawable = Vec::new();
+    let mut attached = vec![false; nodes];
+    for part in placed {
+        for element in &part.mesh.elements {
+            let mut rows = Vec::with_capacity(element.nodes.len());
+            for &label in &element.nodes {
+                match part.row(label) {
+                    Some(row) => rows.push(row),
+                    // Elements of other kinds may hold numbers that are no nodes.
+                    None if element.kind.is_none() => {}
+                    None => return Err(unknown(sources, element.place, label, part)),
+                }
+            }
+            for &row in &rows {
+                attached[row] = true;
+            }
+            drawable.extend(element.kind.map(|kind| Element { kind, nodes: rows }));
+        }
+    }
+    Ok(Elements { drawable, attached })
+}
+
+/// A label that no node of its part has.
+pub(super) fn unknown(sources: &[Source], place: Place, id: u64, part: &Placed<'_>) -> ImportError {
+    let source = &sources[place.source];
+    ImportError::UnknownNode {
+        path: source.path().to_path_buf(),
+        line: source.line_of(place.at),
+        id,
+        nodes: part.mesh.ids.len(),
+    }
+}

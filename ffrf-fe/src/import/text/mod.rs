@@ -1,0 +1,11 @@
+//! Bytes of a file and the numbers in them: whole files with their hash and place in messages, tokens, decimals.
+
+pub(crate) mod compressed;
+pub(crate) mod cursor;
+mod decimal;
+mod digits;
+pub(crate) mod ordinary;
+mod provenance;
+pub(crate) mod source;
+
+pub use provenance::source_file;

@@ -1,0 +1,32 @@
+//! What the tests and benchmarks of several packages share: bodies, witnesses, helpers of proofs, tolerances.
+//!
+//! No package depends on it but for development. Integration tests of a package that this one depends on share its
+//! types; unit tests inside such a package do not, since they are compiled apart.
+#![forbid(unsafe_code)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // helpers of tests are tests
+
+pub mod random;
+pub mod random_body;
+pub mod tolerances;
+
+#[cfg(feature = "runtime")]
+pub mod bodies;
+#[cfg(feature = "runtime")]
+pub mod convergence;
+#[cfg(feature = "runtime")]
+pub mod held;
+#[cfg(feature = "runtime")]
+pub mod naive_body;
+#[cfg(feature = "runtime")]
+pub mod provided;
+#[cfg(feature = "runtime")]
+pub mod reference;
+
+#[cfg(feature = "codegen")]
+pub mod doors;
+#[cfg(feature = "codegen")]
+mod filled;
+#[cfg(feature = "codegen")]
+pub mod interpreted_body;
+#[cfg(feature = "codegen")]
+pub mod witness;
