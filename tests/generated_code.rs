@@ -97,13 +97,21 @@ fn single_precision_code_agrees_with_double_precision() {
 
 #[test]
 fn constants_and_markers_of_a_body_are_those_of_its_model() {
-    use ffrf::FlexibleBody;
+    use ffrf::{FlexibleBody, NamedMarkers};
     use general_m2::GeneralBody;
     let (_, body, _) = all().into_iter().find(|(name, ..)| *name == "general_m2").unwrap();
     assert_eq!(GeneralBody::MODE_COUNT, 2);
     assert_eq!(GeneralBody::MASS, body.inertia.mass);
     assert_eq!(GeneralBody::FREQUENCIES_HZ, [None, Some(12.5)]);
-    assert_eq!(GeneralBody::TIP.position, body.markers[0].position);
-    assert_eq!(GeneralBody.marker("root").unwrap().translation[1], body.markers[1].translation[1]);
+    assert_eq!(GeneralBody.largest_stable_step(), body.largest_stable_step());
+    assert_eq!(GeneralBody.marker_names(), ["tip", "root"]);
+    assert_eq!(GeneralBody::TIP.position.as_slice(), body.markers[0].position);
+    let root = GeneralBody.marker("root").unwrap();
+    for axis in 0..3 {
+        for mode in 0..2 {
+            assert_eq!(root.translation[axis][mode], body.markers[1].translation[mode][axis]);
+            assert_eq!(root.rotation[axis][mode], body.markers[1].rotation[mode][axis]);
+        }
+    }
     assert_eq!(GeneralBody.marker("nowhere"), None);
 }

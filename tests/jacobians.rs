@@ -14,7 +14,7 @@ mod jacobians_m2;
 use dual::Dual;
 use ffrf::nalgebra::{SMatrix, SVector, Vector2, Vector3};
 use ffrf::{FlexibleBodyJacobians, flexible_body};
-use ffrf_codegen::formulate::KernelKind;
+use ffrf_codegen::formulate::kernels::FORWARD_DYNAMICS;
 use ffrf_codegen::{GenerateOptions, KernelInput, Kernels};
 use ffrf_model::ReducedBody;
 use ffrf_test_kit::random::Random;
@@ -36,7 +36,7 @@ fn by_dual_numbers(kernels: &Kernels, point: &[f64; 15], direction: usize) -> SV
         force: &dual[7..15],
         ..KernelInput::default()
     };
-    let result = kernels.evaluate(KernelKind::ForwardDynamics, &input);
+    let result = kernels.evaluate(&FORWARD_DYNAMICS, &input);
     SVector::from_iterator(result.into_iter().map(|dual| dual.slope))
 }
 

@@ -44,8 +44,8 @@ pub fn run(arguments: &Generate) -> Result<()> {
 pub fn account(body: &ReducedBody, options: &GenerateOptions) -> Result<String> {
     let report = ffrf_codegen::generate(body, options)?.report;
     let mut text = String::from("layout found\n");
-    for (invariant, structure, _) in report.layout.entries() {
-        let _ = writeln!(text, "  {invariant:<28}{structure}");
+    for (invariant, structure) in report.layout.entries() {
+        let _ = writeln!(text, "  {:<28}{structure}", invariant.name());
     }
     text.push_str("\noperations per call\n");
     for kernel in &report.kernels {

@@ -1,6 +1,6 @@
 //! The kernels of the code that `ffrf generate` and the macro make, run without compiling that code.
 
-use ffrf_codegen::formulate::KernelKind;
+use ffrf_codegen::formulate::kernels::LINEAR_MOMENTUM;
 use ffrf_codegen::{CodegenError, GenerateOptions, KernelInput, Kernels, lanes};
 use ffrf_model::ReducedBody;
 
@@ -31,7 +31,7 @@ impl GeneratedKernels {
             ),
         };
         let statements = match &loops {
-            Some(_) => Kernels::formulate_without(body, options, &lanes::IN_LANES)?,
+            Some(_) => Kernels::formulate_statements(body, options)?,
             None => Kernels::formulate(body, options)?,
         };
         Ok(Self { statements, lanes: loops, description })
@@ -88,7 +88,7 @@ impl GeneratedKernels {
         q_dot: &[f64],
     ) -> Vec<f64> {
         let input = KernelInput { q, velocity, omega, q_dot, ..KernelInput::default() };
-        self.statements.evaluate(KernelKind::LinearMomentum, &input)
+        self.statements.evaluate(&LINEAR_MOMENTUM, &input)
     }
 
     /// Angular momentum about the frame origin, body-resolved. Shape: 3. Units: N m s.

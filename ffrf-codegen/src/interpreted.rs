@@ -3,8 +3,13 @@
 use ffrf_model::ReducedBody;
 
 use crate::body::BodyExpressions;
-use crate::expression::{Graph, Scalar, Symbol, evaluate};
-use crate::formulate::{Kernel, KernelKind};
+use crate::expression::{Graph, Input, Scalar, Symbol, evaluate};
+use crate::formulate::kernels::{
+    ANGULAR_MOMENTUM, ELASTIC_ENERGY, FORWARD_DYNAMICS, GRAVITY_FORCE, INTERNAL_FORCE, KINETIC_ENERGY,
+    LINEAR_MOMENTUM, MASS_MATRIX, QUADRATIC_VELOCITY,
+};
+use crate::formulate::{Definition, KERNELS, Kernel};
+use crate::prepare::prepare;
 use crate::{CodegenError, GenerateOptions};
 
 /// The kernels of a body as expressions, ready to be evaluated for any state.
@@ -34,6 +39,21 @@ pub struct KernelInput<'a, T = f64> {
     pub gravity: &'a [T],
 }
 
+impl<'a, T> KernelInput<'a, T> {
+    /// The values of an input; none of one that bodies do not have or that is not given.
+    fn values(&self, input: Input) -> &'a [T] {
+        match input {
+            Input::COORDINATES => self.q,
+            Input::RATES => self.q_dot,
+            Input::VELOCITY => self.velocity,
+            Input::ANGULAR_VELOCITY => self.omega,
+            Input::FORCE => self.force,
+            Input::GRAVITY => self.gravity,
+            _ => &[],
+        }
+    }
+}
+
 impl<T> Default for KernelInput<'_, T> {
     fn default() -> Self {
         Self { q: &[], velocity: &[], omega: &[], q_dot: &[], force: &[], gravity: &[] }
@@ -46,25 +66,30 @@ impl Kernels {
     /// Errors: [`CodegenError::Model`] for a body of the wrong shape or with too few modes,
     /// [`CodegenError::DependentModes`].
     pub fn formulate(body: &ReducedBody, options: &GenerateOptions) -> Result<Self, CodegenError> {
-        Self::formulate_without(body, options, &[])
+        Self::of(body, options, |_| true)
     }
 
-    /// Formulates every kernel of `body` but those `left_out`, whose results are then empty.
+    /// Formulates every kernel of `body` but those that loops over lanes compute where a body has them; the results of those
+    /// are then empty.
     ///
     /// Errors: as those of [`Kernels::formulate`].
-    pub fn formulate_without(
+    pub fn formulate_statements(body: &ReducedBody, options: &GenerateOptions) -> Result<Self, CodegenError> {
+        Self::of(body, options, |definition| definition.lanes.is_none())
+    }
+
+    fn of(
         body: &ReducedBody,
         options: &GenerateOptions,
-        left_out: &[KernelKind],
+        is_wanted: impl Fn(&Definition) -> bool,
     ) -> Result<Self, CodegenError> {
-        let body = crate::prepare(body, options)?;
+        let body = prepare(body, options)?;
         let mut graph = Graph::new();
         let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
             .truncated(&mut graph, &options.fidelity);
-        let kernels = KernelKind::ALL
+        let kernels = KERNELS
             .into_iter()
-            .filter(|kind| !left_out.contains(kind))
-            .map(|kind| Kernel::formulate(kind, graph.clone(), &expressions))
+            .filter(|definition| is_wanted(definition))
+            .map(|definition| Kernel::formulate(definition, graph.clone(), &expressions))
             .collect::<Result<_, _>>()?;
         Ok(Self { mode_count: body.mode_count(), kernels })
     }
@@ -74,7 +99,7 @@ impl Kernels {
         self.mode_count
     }
 
-    /// The kernels, in the order of [`KernelKind::ALL`].
+    /// The kernels, in the order of [`KERNELS`].
     pub fn kernels(&self) -> &[Kernel] {
         &self.kernels
     }
@@ -82,75 +107,78 @@ impl Kernels {
     /// The results of a kernel, one after another.
     ///
     /// Entries that are missing from the input count as not-a-number, so that a result which depends on them shows it.
-    pub fn evaluate<T: Scalar>(&self, kind: KernelKind, input: &KernelInput<'_, T>) -> Vec<T> {
+    pub fn evaluate<T: Scalar>(&self, definition: &Definition, values: &KernelInput<'_, T>) -> Vec<T> {
         let missing = || T::from_constant(f64::NAN);
         let at = |slice: &[T], k: usize| slice.get(k).cloned().unwrap_or_else(missing);
-        let Some(kernel) = self.kernels.iter().find(|kernel| kernel.kind == kind) else {
+        let mut kernels = self.kernels.iter();
+        let Some(kernel) = kernels.find(|kernel| kernel.signature == definition.signature) else {
             return Vec::new();
         };
         evaluate(&kernel.graph, &kernel.outputs, |symbol| match symbol {
-            Symbol::Coordinate(k) => at(input.q, k),
-            Symbol::Rate(k) => at(input.q_dot, k),
-            Symbol::Velocity(k) => at(input.velocity, k),
-            Symbol::AngularVelocity(k) => at(input.omega, k),
-            Symbol::Force(k) => at(input.force, k),
-            Symbol::Gravity(k) => at(input.gravity, k),
+            Symbol::Input(input, k) => at(values.values(input), k),
             _ => missing(),
         })
     }
 
     /// Mass matrix M(q). Shape: N x N.
     pub fn mass_matrix(&self, q: &[f64]) -> Vec<Vec<f64>> {
-        let entries = self.evaluate(KernelKind::MassMatrix, &KernelInput { q, ..Default::default() });
+        let entries = self.evaluate(&MASS_MATRIX, &KernelInput { q, ..Default::default() });
         entries.chunks(6 + self.mode_count).map(<[f64]>::to_vec).collect()
     }
 
     /// Quadratic velocity vector Q(q, ω, q̇), on the left-hand side. Shape: N.
     pub fn quadratic_velocity(&self, q: &[f64], omega: &[f64], q_dot: &[f64]) -> Vec<f64> {
         let input = KernelInput { q, omega, q_dot, ..Default::default() };
-        self.evaluate(KernelKind::QuadraticVelocity, &input)
+        self.evaluate(&QUADRATIC_VELOCITY, &input)
     }
 
     /// Accelerations [α; ω̇; q̈]. Shape: N.
     pub fn forward_dynamics(&self, q: &[f64], omega: &[f64], q_dot: &[f64], force: &[f64]) -> Vec<f64> {
         let input = KernelInput { q, omega, q_dot, force, ..Default::default() };
-        self.evaluate(KernelKind::ForwardDynamics, &input)
+        self.evaluate(&FORWARD_DYNAMICS, &input)
     }
 
     /// Kinetic energy. Units: J.
     pub fn kinetic_energy(&self, q: &[f64], velocity: &[f64], omega: &[f64], q_dot: &[f64]) -> f64 {
-        self.scalar(KernelKind::KineticEnergy, q, velocity, omega, q_dot)
+        self.scalar(&KINETIC_ENERGY, q, velocity, omega, q_dot)
     }
 
     /// Elastic energy. Units: J.
     pub fn elastic_energy(&self, q: &[f64]) -> f64 {
-        self.scalar(KernelKind::ElasticEnergy, q, &[], &[], &[])
+        self.scalar(&ELASTIC_ENERGY, q, &[], &[], &[])
     }
 
     /// Linear momentum, body-resolved. Shape: 3. Units: N s.
     pub fn linear_momentum(&self, q: &[f64], velocity: &[f64], omega: &[f64], q_dot: &[f64]) -> Vec<f64> {
         let input = KernelInput { q, velocity, omega, q_dot, ..Default::default() };
-        self.evaluate(KernelKind::LinearMomentum, &input)
+        self.evaluate(&LINEAR_MOMENTUM, &input)
     }
 
     /// Angular momentum about the frame origin, body-resolved. Shape: 3. Units: N m s.
     pub fn angular_momentum(&self, q: &[f64], velocity: &[f64], omega: &[f64], q_dot: &[f64]) -> Vec<f64> {
         let input = KernelInput { q, velocity, omega, q_dot, ..Default::default() };
-        self.evaluate(KernelKind::AngularMomentum, &input)
+        self.evaluate(&ANGULAR_MOMENTUM, &input)
     }
 
     /// Elastic and damping forces K q + D q̇. Shape: M.
     pub fn internal_force(&self, q: &[f64], q_dot: &[f64]) -> Vec<f64> {
-        self.evaluate(KernelKind::InternalForce, &KernelInput { q, q_dot, ..Default::default() })
+        self.evaluate(&INTERNAL_FORCE, &KernelInput { q, q_dot, ..Default::default() })
     }
 
     /// Generalised force of uniform gravity, body-resolved. Shape: N.
     pub fn gravity_force(&self, q: &[f64], gravity: &[f64]) -> Vec<f64> {
-        self.evaluate(KernelKind::GravityForce, &KernelInput { q, gravity, ..Default::default() })
+        self.evaluate(&GRAVITY_FORCE, &KernelInput { q, gravity, ..Default::default() })
     }
 
-    fn scalar(&self, kind: KernelKind, q: &[f64], velocity: &[f64], omega: &[f64], q_dot: &[f64]) -> f64 {
+    fn scalar(
+        &self,
+        definition: &Definition,
+        q: &[f64],
+        velocity: &[f64],
+        omega: &[f64],
+        q_dot: &[f64],
+    ) -> f64 {
         let input = KernelInput { q, velocity, omega, q_dot, ..Default::default() };
-        self.evaluate(kind, &input).first().copied().unwrap_or(f64::NAN)
+        self.evaluate(definition, &input).first().copied().unwrap_or(f64::NAN)
     }
 }

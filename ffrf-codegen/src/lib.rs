@@ -14,6 +14,7 @@ pub mod derive;
 pub mod expression;
 pub mod fidelity;
 pub mod formulate;
+pub mod invariants;
 pub mod lanes;
 pub mod layout;
 pub mod mechanism;
@@ -26,6 +27,7 @@ mod generate;
 mod interpreted;
 mod options;
 pub mod passes;
+mod prepare;
 mod report;
 mod validate;
 
@@ -36,5 +38,3 @@ pub use generate::{GeneratedCode, generate, generate_with_layout};
 pub use interpreted::{KernelInput, Kernels};
 pub use options::{DEFAULT_LAYOUT_TOLERANCE, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
 pub use report::{KernelReport, Report, Source};
-
-use generate::prepare;

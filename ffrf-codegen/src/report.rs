@@ -3,6 +3,7 @@
 use ffrf_model::ReducedBody;
 
 use crate::counts::OperationCounts;
+use crate::formulate::Kernel;
 use crate::layout::Layout;
 
 /// Layout and cost of a generated body.
@@ -39,6 +40,13 @@ pub struct KernelReport {
     pub name: &'static str,
     /// Operations of one call.
     pub counts: OperationCounts,
+}
+
+impl KernelReport {
+    /// Name and cost of a kernel.
+    pub(crate) fn of(kernel: &Kernel) -> Self {
+        Self { name: kernel.signature.name, counts: OperationCounts::of(kernel) }
+    }
 }
 
 impl Source {

@@ -14,8 +14,8 @@ impl ValidKernel {
     ///
     /// Errors: `OutputCount`, `NotFinite`, `UndefinedSymbol`, `ForwardReference`.
     pub fn new(kernel: Kernel, scalar: ScalarType, has_parameters: bool) -> Result<Self, CodegenError> {
-        let name = kernel.kind.name();
-        let expected = kernel.kind.outputs(kernel.mode_count).iter().map(|shape| shape.entries()).sum();
+        let name = kernel.signature.name;
+        let expected = kernel.signature.entries(kernel.mode_count);
         if kernel.outputs.len() != expected {
             return Err(CodegenError::OutputCount { kernel: name, found: kernel.outputs.len(), expected });
         }
@@ -42,7 +42,7 @@ fn check_node(
     scalar: ScalarType,
     has_parameters: bool,
 ) -> Result<(), CodegenError> {
-    let name = kernel.kind.name();
+    let name = kernel.signature.name;
     match node {
         Node::Constant(constant) if !scalar.is_finite(constant.value()) => {
             return Err(CodegenError::NotFinite {
@@ -67,31 +67,35 @@ fn check_node(
 }
 
 fn is_input(kernel: &Kernel, symbol: Symbol, has_parameters: bool) -> bool {
-    let argument = kernel
-        .kind
-        .arguments()
-        .iter()
-        .any(|argument| (0..argument.size(kernel.mode_count)).any(|k| argument.symbol(k) == symbol));
-    argument || (has_parameters && symbol.is_parameter())
+    match symbol {
+        Symbol::Input(input, k) => {
+            kernel.signature.inputs.contains(&input) && k < input.size(kernel.mode_count)
+        }
+        Symbol::Parameter(..) => has_parameters,
+        Symbol::Intermediate(..) => false,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::Graph;
-    use crate::formulate::KernelKind;
+    use crate::expression::{Graph, Input};
+    use crate::formulate::Draft;
+    use crate::formulate::kernels::ELASTIC_ENERGY;
+    use crate::invariants::Invariant;
 
     fn energy(build: impl FnOnce(&mut Graph) -> Vec<Expression>) -> Result<ValidKernel, String> {
         let mut graph = Graph::new();
         let outputs = build(&mut graph);
-        let kernel = Kernel { kind: KernelKind::ElasticEnergy, mode_count: 1, graph, outputs };
+        let graph = Draft::new(graph);
+        let kernel = Kernel { signature: ELASTIC_ENERGY.signature, mode_count: 1, graph, outputs };
         ValidKernel::new(kernel, ScalarType::F32, false).map_err(|error| error.to_string())
     }
 
     #[test]
     fn a_sound_kernel_passes() {
         let kernel = energy(|graph| {
-            let q = graph.symbol(Symbol::Coordinate(0));
+            let q = graph.symbol(Input::COORDINATES.symbol(0));
             vec![graph.multiply(q, q)]
         });
         assert_eq!(kernel.unwrap().kernel().graph.len(), 2);
@@ -114,10 +118,10 @@ mod tests {
 
     #[test]
     fn foreign_inputs_are_refused() {
-        let error = energy(|graph| vec![graph.symbol(Symbol::Rate(0))]).unwrap_err();
+        let error = energy(|graph| vec![graph.symbol(Input::RATES.symbol(0))]).unwrap_err();
         assert_eq!(error, "elastic_energy: q_dot0 is not an input of this kernel");
-        assert!(energy(|graph| vec![graph.symbol(Symbol::Coordinate(1))]).is_err());
-        assert!(energy(|graph| vec![graph.symbol(Symbol::Mass)]).is_err());
+        assert!(energy(|graph| vec![graph.symbol(Input::COORDINATES.symbol(1))]).is_err());
+        assert!(energy(|graph| vec![graph.symbol(Invariant::Mass.at([]))]).is_err());
     }
 
     #[test]

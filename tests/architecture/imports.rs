@@ -26,10 +26,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         ),
         (
             "ffrf-codegen",
-            entry(
-                &["ffrf-model"],
-                &["proc-macro2", "quote", "thiserror", "num-bigint", "num-rational", "num-traits"],
-            ),
+            entry(&["ffrf-model"], &["proc-macro2", "thiserror", "num-bigint", "num-rational", "num-traits"]),
         ),
         ("ffrf-macros", entry(&["ffrf-codegen", "ffrf-model"], &["proc-macro2", "quote", "syn"])),
         ("ffrf-runtime", entry(&[], &["nalgebra", "wide"])),

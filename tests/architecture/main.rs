@@ -3,8 +3,10 @@
 //! ARCHITECTURE.md states the same law for people; a change there is a change here. One file for each check.
 #![allow(clippy::expect_used)] // helpers of tests are tests
 
+mod modules;
 mod workspace;
 
+mod circles;
 mod files;
 mod generator;
 mod imports;

@@ -17,8 +17,11 @@
 //   angular_momentum     33 operations: 18 multiply-add, 9 multiply, 6 add
 //   internal_force       6 operations: 4 multiply-add, 2 multiply
 //   gravity_force        21 operations: 13 multiply-add, 8 multiply
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              57 operations: 34 multiply-add, 20 multiply, 3 add
 
 /// Flexible body "random body with 2 modes" with 2 modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,29 +45,37 @@ impl ConstantBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x0b571cd0786b6132;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [0.9064898295802798, -0.038538796201717684, 0.131373082675534],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            0.9064898295802798, -0.038538796201717684, 0.131373082675534,
+        ]),
         translation: [
-            [0.11755215956713028, 0.1925976183309639, 0.20530680866159223],
-            [-0.3306866276472654, -0.39589426452437526, 0.2249440895363033],
+            ::ffrf::generated_support::vector([0.11755215956713028, -0.3306866276472654]),
+            ::ffrf::generated_support::vector([0.1925976183309639, -0.39589426452437526]),
+            ::ffrf::generated_support::vector([0.20530680866159223, 0.2249440895363033]),
         ],
         rotation: [
-            [0.02938803989178257, 0.04814940458274097, 0.05132670216539806],
-            [-0.08267165691181635, -0.09897356613109382, 0.05623602238407582],
+            ::ffrf::generated_support::vector([0.02938803989178257, -0.08267165691181635]),
+            ::ffrf::generated_support::vector([0.04814940458274097, -0.09897356613109382]),
+            ::ffrf::generated_support::vector([0.05132670216539806, 0.05623602238407582]),
         ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [-0.3065922424360056, -0.011760326075246519, 0.12287307521927865],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            -0.3065922424360056, -0.011760326075246519, 0.12287307521927865,
+        ]),
         translation: [
-            [0.08666278537484418, -0.044788539519820536, -0.25362505553963455],
-            [-0.14103052396429427, -0.22898016430057544, 0.19921522916202739],
+            ::ffrf::generated_support::vector([0.08666278537484418, -0.14103052396429427]),
+            ::ffrf::generated_support::vector([-0.044788539519820536, -0.22898016430057544]),
+            ::ffrf::generated_support::vector([-0.25362505553963455, 0.19921522916202739]),
         ],
         rotation: [
-            [0.021665696343711044, -0.011197134879955134, -0.06340626388490864],
-            [-0.03525763099107357, -0.05724504107514386, 0.049803807290506846],
+            ::ffrf::generated_support::vector([0.021665696343711044, -0.03525763099107357]),
+            ::ffrf::generated_support::vector([-0.011197134879955134, -0.05724504107514386]),
+            ::ffrf::generated_support::vector([-0.06340626388490864, 0.049803807290506846]),
         ],
     };
 }
@@ -658,13 +669,27 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 2 x 2, symmetric, column by column. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass() -> [[f64; 2]; 2] {
+
+        [
+            [2.025380781643531, 0.6038540639531231],
+            [0.6038540639531231, 2.0641232614429463],
+        ]
+    }
+
     /// Modal stiffness K_ff.
     ///
     /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix() -> [[f64; 2]; 2] {
+    fn stiffness() -> [[f64; 2]; 2] {
 
         [
             [41.489841370334474, 1.2366949220363017],
@@ -674,36 +699,104 @@ const _: () = {
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 2. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix() -> [[f64; 2]; 2] {
+    fn damping() -> [f64; 2] {
 
-        [
-            [0.41489841370334474, 0.0],
-            [0.0, 0.7112048333902458],
-        ]
+        [0.41489841370334474, 0.7112048333902458]
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass() -> f64 {
+
+        8.844703537197834
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 2, 3 x 2, 8, 2. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 57 operations: 34 multiply-add, 20 multiply, 3 add.
+    #[inline]
+    fn prepare(
+        q: &[f64; 2],
+        omega: &[f64; 3],
+        q_dot: &[f64; 2],
+    ) -> (f64, [f64; 3], [[f64; 3]; 3], [[f64; 2]; 3], [[f64; 2]; 3], [f64; 8], [f64; 2]) {
+        let [q0, q1] = *q;
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
+
+        // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
+        let first_moment_x = fma(-0.32856429449710967, q1, fma(0.24002235581153603, q0, 3.0046510942520674));
+        let first_moment_y = fma(-0.978018945116414, q1, fma(0.6787398248907106, q0, -0.41984161500965506));
+        let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
+
+        // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
+        let t1 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t2 = fma(-0.5341019557067384, q_dot1, 0.27176620006200825 * q_dot0);
+        let t3 = fma(t2, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t4 = fma(-0.32856429449710967, q_dot1, 0.24002235581153603 * q_dot0);
+        let t5 = fma(t4, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (24 operations: 12 multiply-add, 9 multiply, 3 add)
+        let modal_spin_x = fma(0.0906391146862467, q_dot1, -0.10021725738697554 * q_dot0);
+        let modal_spin_y = fma(0.2588952279675248, q_dot1, 0.3249943739183774 * q_dot0);
+        let modal_spin_z = fma(-0.15269810726036132, q_dot1, 0.06364140792463607 * q_dot0);
+        let angular_momentum_x = fma(0.21032996108485344, omega_y, 0.7433998942463756 * omega_x);
+        let angular_momentum_x = modal_spin_x + fma(-0.5644033827438444, omega_z, angular_momentum_x);
+        let angular_momentum_y = fma(3.441057059272419, omega_y, 0.21032996108485344 * omega_x);
+        let angular_momentum_y = modal_spin_y + fma(0.035025350693903806, omega_z, angular_momentum_y);
+        let angular_momentum_z = fma(0.035025350693903806, omega_y, -0.5644033827438444 * omega_x);
+        let angular_momentum_z = modal_spin_z + fma(3.7721853033770283, omega_z, angular_momentum_z);
+        let t6 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
+        let t7 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t8 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+
+        // Elastic and damping forces K q + D q̇ (6 operations: 4 multiply-add, 2 multiply)
+        let t9 = fma(0.41489841370334474, q_dot0, fma(1.2366949220363017, q1, 41.489841370334474 * q0));
+        let t10 = fma(0.7112048333902458, q_dot1, fma(71.12048333902457, q1, 1.2366949220363017 * q0));
+
+        (
+            8.844703537197834,
+            [first_moment_x, first_moment_y, first_moment_z],
+            [
+                [0.7433998942463756, 0.21032996108485344, -0.5644033827438444],
+                [0.21032996108485344, 3.441057059272419, 0.035025350693903806],
+                [-0.5644033827438444, 0.035025350693903806, 3.7721853033770283],
+            ],
+            [
+                [0.24002235581153603, -0.32856429449710967],
+                [0.6787398248907106, -0.978018945116414],
+                [0.27176620006200825, -0.5341019557067384],
+            ],
+            [
+                [-0.10021725738697554, 0.0906391146862467],
+                [0.3249943739183774, 0.2588952279675248],
+                [0.06364140792463607, -0.15269810726036132],
+            ],
+            [
+                fma(-omega_z, t1, omega_y * t3), fma(-omega_x, t3, omega_z * t5),
+                fma(-omega_y, t5, omega_x * t1), t6, t7, t8, 0.0, 0.0,
+            ],
+            [t9, t10],
+        )
     }
 
     #[automatically_derived]
-    impl ::ffrf::FlexibleBody<2, 8, f64> for ConstantBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl ::ffrf::FlexibleBody<f64> for ConstantBody {
+        type Modal = ::ffrf::nalgebra::SVector<f64, 2>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 2>,
-            omega: &::ffrf::nalgebra::Vector3<f64>,
-            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<f64, 2> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -712,27 +805,92 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-            force: &::ffrf::nalgebra::SVector<f64, 8>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<8>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> ::ffrf::nalgebra::SVector<f64, 2> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            gravity: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-            force: &::ffrf::nalgebra::SVector<f64, 8>,
-        ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
 
+        #[inline]
+        fn largest_stable_step(&self) -> ::core::option::Option<f64> {
+            ::core::option::Option::Some(Self::LARGEST_STABLE_STEP)
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::Observables<f64> for ConstantBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -741,7 +899,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -760,7 +923,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -771,51 +939,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> f64 {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::DenseForms<2, 8, f64> for ConstantBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 2> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
-            gravity: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+            force: &::ffrf::nalgebra::SVector<f64, 8>,
+        ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl ::ffrf::NamedMarkers<f64> for ConstantBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<2, f64>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64>> {
             match name {
-                "tip" => ::core::option::Option::Some(ConstantBody::TIP),
-                "root" => ::core::option::Option::Some(ConstantBody::ROOT),
+                "tip" => ::core::option::Option::Some(Self::TIP),
+                "root" => ::core::option::Option::Some(Self::ROOT),
                 _ => ::core::option::Option::None,
             }
         }

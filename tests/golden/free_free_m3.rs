@@ -17,8 +17,11 @@
 //   angular_momentum     132 operations: 81 multiply-add, 21 multiply, 30 add
 //   internal_force       12 operations: 9 multiply-add, 3 multiply
 //   gravity_force        3 operations: 3 multiply
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              240 operations: 144 multiply-add, 57 multiply, 39 add
 
 /// Flexible body "random body with 3 modes" with 3 modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,33 +48,61 @@ impl FreeFreeBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x341cba3dcac5a8f3;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<3, f64> = ::ffrf::Marker {
-        position: [-0.5966352379470199, 0.27535490045276745, -0.09578247606389771],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 3>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            -0.5966352379470199, 0.27535490045276745, -0.09578247606389771,
+        ]),
         translation: [
-            [0.18037287040823374, -0.20466111210569976, 0.30671405082249736],
-            [0.03238031197936143, -0.2000559190986863, -0.14717154144970016],
-            [0.299348127152764, -0.48366329040175665, -0.3497837168715192],
+            ::ffrf::generated_support::vector([
+                0.18037287040823374, 0.03238031197936143, 0.299348127152764,
+            ]),
+            ::ffrf::generated_support::vector([
+                -0.20466111210569976, -0.2000559190986863, -0.48366329040175665,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.30671405082249736, -0.14717154144970016, -0.3497837168715192,
+            ]),
         ],
         rotation: [
-            [0.045093217602058436, -0.05116527802642494, 0.07667851270562434],
-            [0.008095077994840357, -0.05001397977467158, -0.03679288536242504],
-            [0.074837031788191, -0.12091582260043916, -0.0874459292178798],
+            ::ffrf::generated_support::vector([
+                0.045093217602058436, 0.008095077994840357, 0.074837031788191,
+            ]),
+            ::ffrf::generated_support::vector([
+                -0.05116527802642494, -0.05001397977467158, -0.12091582260043916,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.07667851270562434, -0.03679288536242504, -0.0874459292178798,
+            ]),
         ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<3, f64> = ::ffrf::Marker {
-        position: [0.21328774827178032, 0.3158862718680834, -0.19042999940106287],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 3>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            0.21328774827178032, 0.3158862718680834, -0.19042999940106287,
+        ]),
         translation: [
-            [0.08714410452618696, 0.22676015499385957, -0.1615810853348802],
-            [0.33705281762358824, -0.09175722144993963, 0.17577801832972711],
-            [0.27460180991052124, -0.3559525215784599, -0.24103444522679082],
+            ::ffrf::generated_support::vector([
+                0.08714410452618696, 0.33705281762358824, 0.27460180991052124,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.22676015499385957, -0.09175722144993963, -0.3559525215784599,
+            ]),
+            ::ffrf::generated_support::vector([
+                -0.1615810853348802, 0.17577801832972711, -0.24103444522679082,
+            ]),
         ],
         rotation: [
-            [0.02178602613154674, 0.05669003874846489, -0.04039527133372005],
-            [0.08426320440589706, -0.022939305362484907, 0.04394450458243178],
-            [0.06865045247763031, -0.08898813039461498, -0.060258611306697706],
+            ::ffrf::generated_support::vector([
+                0.02178602613154674, 0.08426320440589706, 0.06865045247763031,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.05669003874846489, -0.022939305362484907, -0.08898813039461498,
+            ]),
+            ::ffrf::generated_support::vector([
+                -0.04039527133372005, 0.04394450458243178, -0.060258611306697706,
+            ]),
         ],
     };
 }
@@ -965,13 +996,24 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 3. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass() -> [f64; 3] {
+
+        [1.0, 1.0, 1.0]
+    }
+
     /// Modal stiffness K_ff.
     ///
     /// Shape: 3 x 3, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix() -> [[f64; 3]; 3] {
+    fn stiffness() -> [[f64; 3]; 3] {
 
         [
             [41.06565704379767, -0.17776161543946456, 0.7257030705721239],
@@ -982,37 +1024,201 @@ const _: () = {
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 3 x 3, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 3. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix() -> [[f64; 3]; 3] {
+    fn damping() -> [f64; 3] {
 
-        [
-            [0.4106565704379767, 0.0, 0.0],
-            [0.0, 0.7105231422480454, 0.0],
-            [0.0, 0.0, 1.0091517572079334],
-        ]
+        [0.4106565704379767, 0.7105231422480454, 1.0091517572079334]
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass() -> f64 {
+
+        8.712436319918037
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 3, 3 x 3, 9, 3. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 240 operations: 144 multiply-add, 57 multiply, 39 add.
+    #[inline]
+    fn prepare(
+        q: &[f64; 3],
+        omega: &[f64; 3],
+        q_dot: &[f64; 3],
+    ) -> (f64, [f64; 3], [[f64; 3]; 3], [[f64; 3]; 3], [[f64; 3]; 3], [f64; 9], [f64; 3]) {
+        let [q0, q1, q2] = *q;
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1, q_dot2] = *q_dot;
+
+        // Deformed moments T_μ + q_ν T_νμ (66 operations: 54 multiply-add, 9 multiply, 3 add)
+        let moment_trace0 = 0.12006587958724288 + q0;
+        let moment_yy0 = fma(-0.09596790318464413, q1, fma(0.28774498894794576, q0, 0.04103166286057098));
+        let moment_yy0 = fma(-0.05137534067339006, q2, moment_yy0);
+        let moment_zz0 = fma(0.006200842884381988, q1, fma(0.33130394482474307, q0, 0.10845046844333428));
+        let moment_zz0 = fma(0.010032802232485451, q2, moment_zz0);
+        let moment_xy0 = fma(-0.023827399293859866, q1, fma(0.20895067819539892, q0, -0.005284521283567087));
+        let moment_xy0 = fma(0.13738407286771626, q2, moment_xy0);
+        let moment_xz0 = fma(0.061434849284440686, q1, fma(0.07417217422257791, q0, -0.30878950249215403));
+        let moment_xz0 = fma(0.0003675544852800722, q2, moment_xz0);
+        let moment_yz0 = fma(-0.1287296754263413, q1, fma(0.11024301955531893, q0, -0.03387557253066249));
+        let moment_yz0 = fma(-0.10012112559696423, q2, moment_yz0);
+        let coupling_x0 = fma(-0.009696329738944819, q2, -0.1221918615743188 * q1);
+        let coupling_y0 = fma(0.06827969630376199, q2, -0.12735015057795504 * q1);
+        let coupling_z0 = fma(0.1782219433490586, q2, 0.1303981361934835 * q1);
+        let moment_trace1 = 0.3892986551626899 + q1;
+        let moment_yy1 = fma(0.19961715453161483, q1, fma(-0.09596790318464413, q0, -0.10966352210253155));
+        let moment_yy1 = fma(0.00649481213128125, q2, moment_yy1);
+        let moment_zz1 = fma(0.39209515978716947, q1, fma(0.006200842884381988, q0, 0.1675663983066375));
+        let moment_zz1 = fma(-0.021596860668159773, q2, moment_zz1);
+        let moment_xy1 = fma(-0.034527177853448617, q1, fma(-0.023827399293859866, q0, 0.21622718548632724));
+        let moment_xy1 = fma(-0.27671430765491983, q2, moment_xy1);
+        let moment_xz1 = fma(0.20126092330823264, q1, fma(0.061434849284440686, q0, -0.021798661248963208));
+        let moment_xz1 = fma(0.17187126150753138, q2, moment_xz1);
+        let moment_yz1 = fma(-0.17874800446409855, q1, fma(-0.1287296754263413, q0, -0.17006876003980514));
+        let moment_yz1 = fma(0.027462715109787438, q2, moment_yz1);
+        let coupling_x1 = fma(0.03375587610902345, q2, 0.1221918615743188 * q0);
+        let coupling_y1 = fma(-0.24276111687217697, q2, 0.12735015057795504 * q0);
+        let coupling_z1 = fma(0.09134795615307512, q2, -0.1303981361934835 * q0);
+        let moment_trace2 = -0.38311737742626334 + q2;
+        let moment_yy2 = fma(0.00649481213128125, q1, fma(-0.05137534067339006, q0, -0.17718598596030338));
+        let moment_yy2 = fma(0.37328096024263013, q2, moment_yy2);
+        let moment_zz2 = fma(-0.021596860668159773, q1, fma(0.010032802232485451, q0, -0.055453987681927795));
+        let moment_zz2 = fma(0.20394221875155225, q2, moment_zz2);
+        let moment_xy2 = fma(-0.27671430765491983, q1, fma(0.13738407286771626, q0, 0.0351002030754419));
+        let moment_xy2 = fma(-0.18158267503285763, q2, moment_xy2);
+        let moment_xz2 = fma(0.17187126150753138, q1, fma(0.0003675544852800722, q0, 0.12715674660396675));
+        let moment_xz2 = fma(-0.2313967835379509, q2, moment_xz2);
+        let moment_yz2 = fma(0.027462715109787438, q1, fma(-0.10012112559696423, q0, -0.021213264808078003));
+        let moment_yz2 = fma(0.2929317269513404, q2, moment_yz2);
+        let coupling_x2 = fma(-0.03375587610902345, q1, 0.009696329738944819 * q0);
+        let coupling_y2 = fma(0.24276111687217697, q1, -0.06827969630376199 * q0);
+        let coupling_z2 = fma(-0.09134795615307512, q1, -0.1782219433490586 * q0);
+
+        // Deformed inertia tensor Θ_rr (45 operations: 15 multiply-add, 6 multiply, 24 add)
+        let change_trace = fma(q1, 0.3892986551626899 + moment_trace1, q0 * (0.12006587958724288 + moment_trace0));
+        let change_trace = fma(q2, -0.38311737742626334 + moment_trace2, change_trace);
+        let change_yy = fma(q1, -0.10966352210253155 + moment_yy1, q0 * (0.04103166286057098 + moment_yy0));
+        let change_yy = fma(q2, -0.17718598596030338 + moment_yy2, change_yy);
+        let change_zz = fma(q1, 0.1675663983066375 + moment_zz1, q0 * (0.10845046844333428 + moment_zz0));
+        let change_zz = fma(q2, -0.055453987681927795 + moment_zz2, change_zz);
+        let change_xy = fma(q1, 0.21622718548632724 + moment_xy1, q0 * (-0.005284521283567087 + moment_xy0));
+        let change_xy = fma(q2, 0.0351002030754419 + moment_xy2, change_xy);
+        let change_xz = fma(q1, -0.021798661248963208 + moment_xz1, q0 * (-0.30878950249215403 + moment_xz0));
+        let change_xz = fma(q2, 0.12715674660396675 + moment_xz2, change_xz);
+        let change_yz = fma(q1, -0.17006876003980514 + moment_yz1, q0 * (-0.03387557253066249 + moment_yz0));
+        let change_yz = fma(q2, -0.021213264808078003 + moment_yz2, change_yz);
+        let inertia_xx = 1.1065395764840487 + (change_yy + change_zz);
+        let inertia_yy = 2.9434165788255258 + (change_trace - change_yy);
+        let inertia_zz = 3.3489081615526985 + (change_trace - change_zz);
+        let inertia_yz = fma(change_yz, -0.5, 0.08813677234644392);
+        let inertia_xz = fma(change_xz, -0.5, 0.293723964206046);
+        let inertia_xy = fma(change_xy, -0.5, -0.5502301101801855);
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (63 operations: 33 multiply-add, 21 multiply, 9 add)
+        let rate_trace = fma(q_dot2, moment_trace2, fma(q_dot1, moment_trace1, q_dot0 * moment_trace0));
+        let rate_yy = fma(q_dot2, moment_yy2, fma(q_dot1, moment_yy1, q_dot0 * moment_yy0));
+        let rate_zz = fma(q_dot2, moment_zz2, fma(q_dot1, moment_zz1, q_dot0 * moment_zz0));
+        let rate_xy = fma(q_dot2, moment_xy2, fma(q_dot1, moment_xy1, q_dot0 * moment_xy0));
+        let rate_xz = fma(q_dot2, moment_xz2, fma(q_dot1, moment_xz1, q_dot0 * moment_xz0));
+        let rate_yz = fma(q_dot2, moment_yz2, fma(q_dot1, moment_yz1, q_dot0 * moment_yz0));
+        let modal_spin_x = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
+        let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
+        let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
+        let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let angular_momentum_z = modal_spin_z + angular_momentum_z;
+        let t1 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
+        let t2 = omega_x * 2.0;
+        let t3 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t2));
+        let t4 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t5 = omega_y * 2.0;
+        let t6 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t5));
+        let t7 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t8 = omega_z * 2.0;
+        let t9 = fma(rate_trace - rate_zz, t8, -fma(omega_y, rate_yz, omega_x * rate_xz));
+
+        // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
+        let whirl_x0 = fma(-0.009696329738944819, q_dot2, -0.1221918615743188 * q_dot1);
+        let whirl_y0 = fma(0.06827969630376199, q_dot2, -0.12735015057795504 * q_dot1);
+        let whirl_z0 = fma(0.1782219433490586, q_dot2, 0.1303981361934835 * q_dot1);
+        let t10 = omega_y * omega_z;
+        let t11 = omega_x * omega_z;
+        let t12 = omega_x * omega_y;
+        let t13 = omega_z * omega_z;
+        let t14 = omega_x * omega_x;
+        let t15 = t13 - t14;
+        let t16 = omega_y * omega_y;
+        let t17 = t16 + t13;
+        let t18 = t16 - t14;
+        let modal_quadratic0 = fma(moment_zz0, t15, fma(-moment_trace0, t17, moment_yy0 * t18));
+        let modal_quadratic0 = fma(moment_yz0, t10, fma(moment_xz0, t11, fma(moment_xy0, t12, modal_quadratic0)));
+        let modal_quadratic0 = fma(t8, whirl_z0, fma(t5, whirl_y0, fma(t2, whirl_x0, modal_quadratic0)));
+        let whirl_x1 = fma(0.03375587610902345, q_dot2, 0.1221918615743188 * q_dot0);
+        let whirl_y1 = fma(-0.24276111687217697, q_dot2, 0.12735015057795504 * q_dot0);
+        let whirl_z1 = fma(0.09134795615307512, q_dot2, -0.1303981361934835 * q_dot0);
+        let modal_quadratic1 = fma(moment_zz1, t15, fma(-moment_trace1, t17, moment_yy1 * t18));
+        let modal_quadratic1 = fma(moment_yz1, t10, fma(moment_xz1, t11, fma(moment_xy1, t12, modal_quadratic1)));
+        let modal_quadratic1 = fma(t8, whirl_z1, fma(t5, whirl_y1, fma(t2, whirl_x1, modal_quadratic1)));
+        let whirl_x2 = fma(-0.03375587610902345, q_dot1, 0.009696329738944819 * q_dot0);
+        let whirl_y2 = fma(0.24276111687217697, q_dot1, -0.06827969630376199 * q_dot0);
+        let whirl_z2 = fma(-0.09134795615307512, q_dot1, -0.1782219433490586 * q_dot0);
+        let modal_quadratic2 = fma(moment_zz2, t15, fma(-moment_trace2, t17, moment_yy2 * t18));
+        let modal_quadratic2 = fma(moment_yz2, t10, fma(moment_xz2, t11, fma(moment_xy2, t12, modal_quadratic2)));
+        let modal_quadratic2 = fma(t8, whirl_z2, fma(t5, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
+
+        // Elastic and damping forces K q + D q̇ (12 operations: 9 multiply-add, 3 multiply)
+        let t19 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
+        let t20 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
+        let t21 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
+
+        (
+            8.712436319918037,
+            [0.0, 0.0, 0.0],
+            [
+                [inertia_xx, inertia_xy, inertia_xz],
+                [inertia_xy, inertia_yy, inertia_yz],
+                [inertia_xz, inertia_yz, inertia_zz],
+            ],
+            [
+                [0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0],
+            ],
+            [
+                [coupling_x0, coupling_x1, coupling_x2],
+                [coupling_y0, coupling_y1, coupling_y2],
+                [coupling_z0, coupling_z1, coupling_z2],
+            ],
+            [
+                0.0, 0.0, 0.0, t1 + t3, t4 + t6, t7 + t9, modal_quadratic0, modal_quadratic1,
+                modal_quadratic2,
+            ],
+            [
+                fma(0.4106565704379767, q_dot0, t19), fma(0.7105231422480454, q_dot1, t20),
+                fma(1.0091517572079334, q_dot2, t21),
+            ],
+        )
     }
 
     #[automatically_derived]
-    impl ::ffrf::FlexibleBody<3, 9, f64> for FreeFreeBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 9, 9> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl ::ffrf::FlexibleBody<f64> for FreeFreeBody {
+        type Modal = ::ffrf::nalgebra::SVector<f64, 3>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::Vector3<f64>,
-            omega: &::ffrf::nalgebra::Vector3<f64>,
-            q_dot: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<f64, 3> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -1021,27 +1227,92 @@ const _: () = {
             q: &::ffrf::nalgebra::Vector3<f64>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
-            force: &::ffrf::nalgebra::SVector<f64, 9>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 3>, f64>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<9>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::nalgebra::Vector3<f64> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            gravity: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::Vector3<f64>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
-            force: &::ffrf::nalgebra::SVector<f64, 9>,
-        ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
 
+        #[inline]
+        fn largest_stable_step(&self) -> ::core::option::Option<f64> {
+            ::core::option::Option::Some(Self::LARGEST_STABLE_STEP)
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::Observables<f64> for FreeFreeBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -1050,7 +1321,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1069,7 +1345,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1080,51 +1361,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> f64 {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::DenseForms<3, 9, f64> for FreeFreeBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 9, 9> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::Vector3<f64>,
-            gravity: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::Vector3<f64>,
+            force: &::ffrf::nalgebra::SVector<f64, 9>,
+        ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 3, 3> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 3, 3> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl ::ffrf::NamedMarkers<f64> for FreeFreeBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<3, f64>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 3>, f64>> {
             match name {
-                "tip" => ::core::option::Option::Some(FreeFreeBody::TIP),
-                "root" => ::core::option::Option::Some(FreeFreeBody::ROOT),
+                "tip" => ::core::option::Option::Some(Self::TIP),
+                "root" => ::core::option::Option::Some(Self::ROOT),
                 _ => ::core::option::Option::None,
             }
         }

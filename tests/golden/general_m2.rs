@@ -17,8 +17,11 @@
 //   angular_momentum     96 operations: 57 multiply-add, 15 multiply, 24 add
 //   internal_force       6 operations: 4 multiply-add, 2 multiply
 //   gravity_force        21 operations: 13 multiply-add, 8 multiply
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              183 operations: 101 multiply-add, 52 multiply, 30 add
 
 /// Flexible body "random body with 2 modes" with 2 modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,29 +45,37 @@ impl GeneralBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x76c752e8c7d6eb38;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [1.0125138400348535, -0.5871331243908386, -0.0457702598206797],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            1.0125138400348535, -0.5871331243908386, -0.0457702598206797,
+        ]),
         translation: [
-            [0.009155544980076646, 0.3007718858100491, 0.13199129160467482],
-            [0.358001406442225, -0.289602589265364, 0.4548568801332077],
+            ::ffrf::generated_support::vector([0.009155544980076646, 0.358001406442225]),
+            ::ffrf::generated_support::vector([0.3007718858100491, -0.289602589265364]),
+            ::ffrf::generated_support::vector([0.13199129160467482, 0.4548568801332077]),
         ],
         rotation: [
-            [0.0022888862450191616, 0.07519297145251227, 0.032997822901168705],
-            [0.08950035161055625, -0.072400647316341, 0.11371422003330192],
+            ::ffrf::generated_support::vector([0.0022888862450191616, 0.08950035161055625]),
+            ::ffrf::generated_support::vector([0.07519297145251227, -0.072400647316341]),
+            ::ffrf::generated_support::vector([0.032997822901168705, 0.11371422003330192]),
         ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [-0.5752711323489891, -0.3514438501868014, -0.007009624197999942],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            -0.5752711323489891, -0.3514438501868014, -0.007009624197999942,
+        ]),
         translation: [
-            [-0.3750340475602869, -0.2854085493492825, 0.18953888905003635],
-            [-0.3681955814038754, -0.22681500117969233, 0.3038448510904094],
+            ::ffrf::generated_support::vector([-0.3750340475602869, -0.3681955814038754]),
+            ::ffrf::generated_support::vector([-0.2854085493492825, -0.22681500117969233]),
+            ::ffrf::generated_support::vector([0.18953888905003635, 0.3038448510904094]),
         ],
         rotation: [
-            [-0.09375851189007173, -0.07135213733732063, 0.04738472226250909],
-            [-0.09204889535096886, -0.05670375029492308, 0.07596121277260234],
+            ::ffrf::generated_support::vector([-0.09375851189007173, -0.09204889535096886]),
+            ::ffrf::generated_support::vector([-0.07135213733732063, -0.05670375029492308]),
+            ::ffrf::generated_support::vector([0.04738472226250909, 0.07596121277260234]),
         ],
     };
 }
@@ -971,13 +982,27 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 2 x 2, symmetric, column by column. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass() -> [[f64; 2]; 2] {
+
+        [
+            [1.552415089517443, -0.4358883630060487],
+            [-0.4358883630060487, 1.7591361040228608],
+        ]
+    }
+
     /// Modal stiffness K_ff.
     ///
     /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix() -> [[f64; 2]; 2] {
+    fn stiffness() -> [[f64; 2]; 2] {
 
         [
             [40.00823530876572, 0.02791682285998014],
@@ -987,36 +1012,175 @@ const _: () = {
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 2. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix() -> [[f64; 2]; 2] {
+    fn damping() -> [f64; 2] {
 
-        [
-            [0.4000823530876572, 0.0],
-            [0.0, 0.7055357466385109],
-        ]
+        [0.4000823530876572, 0.7055357466385109]
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass() -> f64 {
+
+        6.38059239023797
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 2, 3 x 2, 8, 2. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 183 operations: 101 multiply-add, 52 multiply, 30 add.
+    #[inline]
+    fn prepare(
+        q: &[f64; 2],
+        omega: &[f64; 3],
+        q_dot: &[f64; 2],
+    ) -> (f64, [f64; 3], [[f64; 3]; 3], [[f64; 2]; 3], [[f64; 2]; 3], [f64; 8], [f64; 2]) {
+        let [q0, q1] = *q;
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
+
+        // Deformed moments T_μ + q_ν T_νμ (30 operations: 30 multiply-add)
+        let moment_trace0 = fma(-0.4358883630060487, q1, fma(1.552415089517443, q0, 0.555142690765366));
+        let moment_yy0 = fma(-0.14715879831924622, q1, fma(0.5192834131951263, q0, -0.13401424744792062));
+        let moment_zz0 = fma(0.00351521311233627, q1, fma(0.6053834717275659, q0, 0.13372721459632536));
+        let moment_xy0 = fma(-0.16606462257449064, q1, fma(0.5066457526453509, q0, 0.3045312536412793));
+        let moment_xz0 = fma(-0.12109550978890127, q1, fma(0.03322505474598376, q0, 0.050067767493014524));
+        let moment_yz0 = fma(-0.4919679339141628, q1, fma(-0.05504119004854997, q0, 0.24641078458189175));
+        let coupling_x0 = fma(-0.25002433544061975, q1, 0.09870887416589103);
+        let coupling_y0 = fma(0.06630995506722814, q1, -0.10948322538338734);
+        let coupling_z0 = fma(-0.00536801568094894, q1, 0.3205176964589843);
+        let moment_trace1 = fma(1.7591361040228608, q1, fma(-0.4358883630060487, q0, -0.24335904084051826));
+        let moment_yy1 = fma(0.8572796681421382, q1, fma(-0.14715879831924622, q0, 0.1545279942418048));
+        let moment_zz1 = fma(0.20600578458913338, q1, fma(0.00351521311233627, q0, 0.02476504195632508));
+        let moment_xy1 = fma(0.5375708757633361, q1, fma(-0.16606462257449064, q0, -0.24278110563126598));
+        let moment_xz1 = fma(-0.22365371411462004, q1, fma(-0.12109550978890127, q0, 0.06626510772976407));
+        let moment_yz1 = fma(0.026542842643477026, q1, fma(-0.4919679339141628, q0, -0.5034616670853651));
+        let coupling_x1 = fma(0.25002433544061975, q0, -0.0039107870471050965);
+        let coupling_y1 = fma(-0.06630995506722814, q0, -0.1476570143785699);
+        let coupling_z1 = fma(0.00536801568094894, q0, -0.6220656172709312);
+
+        // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
+        let first_moment_x = fma(-0.2876357863381134, q1, fma(-0.16994951347178364, q0, 0.4090741310098325));
+        let first_moment_y = fma(-0.2266081225633984, q1, fma(0.26259881778612204, q0, -2.9582548380028872));
+        let first_moment_z = fma(0.4601368236989972, q1, fma(0.09435211124454879, q0, 1.1070354744834667));
+
+        // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
+        let change_trace = fma(q1, -0.24335904084051826 + moment_trace1, q0 * (0.555142690765366 + moment_trace0));
+        let change_yy = fma(q1, 0.1545279942418048 + moment_yy1, q0 * (-0.13401424744792062 + moment_yy0));
+        let change_zz = fma(q1, 0.02476504195632508 + moment_zz1, q0 * (0.13372721459632536 + moment_zz0));
+        let change_xy = fma(q1, -0.24278110563126598 + moment_xy1, q0 * (0.3045312536412793 + moment_xy0));
+        let change_xz = fma(q1, 0.06626510772976407 + moment_xz1, q0 * (0.050067767493014524 + moment_xz0));
+        let change_yz = fma(q1, -0.5034616670853651 + moment_yz1, q0 * (0.24641078458189175 + moment_yz0));
+        let inertia_xx = 2.0590818219786353 + (change_yy + change_zz);
+        let inertia_yy = 1.5139320790916022 + (change_trace - change_yy);
+        let inertia_zz = 2.8221356872636743 + (change_trace - change_zz);
+        let inertia_yz = fma(change_yz, -0.5, 0.6009582363200621);
+        let inertia_xz = fma(change_xz, -0.5, -0.12190363778058351);
+        let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
+
+        // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
+        let t1 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t3 = fma(0.4601368236989972, q_dot1, 0.09435211124454879 * q_dot0);
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-0.2876357863381134, q_dot1, -0.16994951347178364 * q_dot0);
+        let t6 = fma(t5, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
+        let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
+        let rate_yy = fma(q_dot1, moment_yy1, q_dot0 * moment_yy0);
+        let rate_zz = fma(q_dot1, moment_zz1, q_dot0 * moment_zz0);
+        let rate_xy = fma(q_dot1, moment_xy1, q_dot0 * moment_xy0);
+        let rate_xz = fma(q_dot1, moment_xz1, q_dot0 * moment_xz0);
+        let rate_yz = fma(q_dot1, moment_yz1, q_dot0 * moment_yz0);
+        let modal_spin_x = fma(q_dot1, coupling_x1, q_dot0 * coupling_x0);
+        let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
+        let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
+        let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let angular_momentum_z = modal_spin_z + angular_momentum_z;
+        let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t11 = omega_y * 2.0;
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
+
+        // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
+        let whirl_x0 = -0.25002433544061975 * q_dot1;
+        let whirl_y0 = 0.06630995506722814 * q_dot1;
+        let whirl_z0 = -0.00536801568094894 * q_dot1;
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
+        let whirl_x1 = 0.25002433544061975 * q_dot0;
+        let whirl_y1 = -0.06630995506722814 * q_dot0;
+        let whirl_z1 = 0.00536801568094894 * q_dot0;
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
+
+        // Elastic and damping forces K q + D q̇ (6 operations: 4 multiply-add, 2 multiply)
+        let t25 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
+        let t26 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
+
+        (
+            6.38059239023797,
+            [first_moment_x, first_moment_y, first_moment_z],
+            [
+                [inertia_xx, inertia_xy, inertia_xz],
+                [inertia_xy, inertia_yy, inertia_yz],
+                [inertia_xz, inertia_yz, inertia_zz],
+            ],
+            [
+                [-0.16994951347178364, -0.2876357863381134],
+                [0.26259881778612204, -0.2266081225633984],
+                [0.09435211124454879, 0.4601368236989972],
+            ],
+            [
+                [coupling_x0, coupling_x1],
+                [coupling_y0, coupling_y1],
+                [coupling_z0, coupling_z1],
+            ],
+            [
+                fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+                fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
+                modal_quadratic1,
+            ],
+            [t25, t26],
+        )
     }
 
     #[automatically_derived]
-    impl ::ffrf::FlexibleBody<2, 8, f64> for GeneralBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl ::ffrf::FlexibleBody<f64> for GeneralBody {
+        type Modal = ::ffrf::nalgebra::SVector<f64, 2>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 2>,
-            omega: &::ffrf::nalgebra::Vector3<f64>,
-            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<f64, 2> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -1025,27 +1189,92 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-            force: &::ffrf::nalgebra::SVector<f64, 8>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<8>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> ::ffrf::nalgebra::SVector<f64, 2> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            gravity: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-            force: &::ffrf::nalgebra::SVector<f64, 8>,
-        ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
 
+        #[inline]
+        fn largest_stable_step(&self) -> ::core::option::Option<f64> {
+            ::core::option::Option::Some(Self::LARGEST_STABLE_STEP)
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::Observables<f64> for GeneralBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -1054,7 +1283,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1073,7 +1307,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1084,51 +1323,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> f64 {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::DenseForms<2, 8, f64> for GeneralBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 2> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
-            gravity: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+            force: &::ffrf::nalgebra::SVector<f64, 8>,
+        ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl ::ffrf::NamedMarkers<f64> for GeneralBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<2, f64>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64>> {
             match name {
-                "tip" => ::core::option::Option::Some(GeneralBody::TIP),
-                "root" => ::core::option::Option::Some(GeneralBody::ROOT),
+                "tip" => ::core::option::Option::Some(Self::TIP),
+                "root" => ::core::option::Option::Some(Self::ROOT),
                 _ => ::core::option::Option::None,
             }
         }

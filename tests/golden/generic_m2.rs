@@ -17,8 +17,11 @@
 //   angular_momentum     94 operations: 53 multiply-add, 15 multiply, 26 add
 //   internal_force       6 operations: 4 multiply-add, 2 multiply
 //   gravity_force        21 operations: 13 multiply-add, 8 multiply
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              181 operations: 97 multiply-add, 52 multiply, 32 add
 
 /// Flexible body "random body with 2 modes" with 2 modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,29 +45,37 @@ impl GenericBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x5cb9f249fd7a8586;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [-0.3356439219789419, 0.22793737398707176, 0.08784772783825619],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            -0.3356439219789419, 0.22793737398707176, 0.08784772783825619,
+        ]),
         translation: [
-            [0.2726733706596679, -0.3495241347410495, 0.14934022544774303],
-            [0.19576214740471545, -0.014247637807751514, -0.11900980041411517],
+            ::ffrf::generated_support::vector([0.2726733706596679, 0.19576214740471545]),
+            ::ffrf::generated_support::vector([-0.3495241347410495, -0.014247637807751514]),
+            ::ffrf::generated_support::vector([0.14934022544774303, -0.11900980041411517]),
         ],
         rotation: [
-            [0.06816834266491698, -0.08738103368526237, 0.03733505636193576],
-            [0.04894053685117886, -0.0035619094519378784, -0.029752450103528793],
+            ::ffrf::generated_support::vector([0.06816834266491698, 0.04894053685117886]),
+            ::ffrf::generated_support::vector([-0.08738103368526237, -0.0035619094519378784]),
+            ::ffrf::generated_support::vector([0.03733505636193576, -0.029752450103528793]),
         ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [-0.4704144867422394, -0.09768448258734891, -0.044876233573219154],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            -0.4704144867422394, -0.09768448258734891, -0.044876233573219154,
+        ]),
         translation: [
-            [-0.012209865118375678, -0.18123451342731828, 0.001818857425741638],
-            [0.09712397378877076, 0.1030705503129311, -0.3711609790810492],
+            ::ffrf::generated_support::vector([-0.012209865118375678, 0.09712397378877076]),
+            ::ffrf::generated_support::vector([-0.18123451342731828, 0.1030705503129311]),
+            ::ffrf::generated_support::vector([0.001818857425741638, -0.3711609790810492]),
         ],
         rotation: [
-            [-0.0030524662795939194, -0.04530862835682957, 0.0004547143564354095],
-            [0.02428099344719269, 0.025767637578232774, -0.0927902447702623],
+            ::ffrf::generated_support::vector([-0.0030524662795939194, 0.02428099344719269]),
+            ::ffrf::generated_support::vector([-0.04530862835682957, 0.025767637578232774]),
+            ::ffrf::generated_support::vector([0.0004547143564354095, -0.0927902447702623]),
         ],
     };
 }
@@ -1113,13 +1124,25 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 2. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass<T: support::Number>() -> [T; 2] {
+        let constant = support::constant::<T>;
+
+        [constant(1.0), constant(1.0)]
+    }
+
     /// Modal stiffness K_ff.
     ///
     /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix<T: support::Number>() -> [[T; 2]; 2] {
+    fn stiffness<T: support::Number>() -> [[T; 2]; 2] {
         let constant = support::constant::<T>;
 
         [
@@ -1130,37 +1153,194 @@ const _: () = {
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 2. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix<T: support::Number>() -> [[T; 2]; 2] {
+    fn damping<T: support::Number>() -> [T; 2] {
         let constant = support::constant::<T>;
 
-        [
-            [constant(0.4018021554692058), constant(0.0)],
-            [constant(0.0), constant(0.7013421321366217)],
-        ]
+        [constant(0.4018021554692058), constant(0.7013421321366217)]
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass<T: support::Number>() -> T {
+        let constant = support::constant::<T>;
+
+        constant(8.317420932029258)
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 2, 3 x 2, 8, 2. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 181 operations: 97 multiply-add, 52 multiply, 32 add.
+    #[inline]
+    fn prepare<T: support::Number>(
+        q: &[T; 2],
+        omega: &[T; 3],
+        q_dot: &[T; 2],
+    ) -> (T, [T; 3], [[T; 3]; 3], [[T; 2]; 3], [[T; 2]; 3], [T; 8], [T; 2]) {
+        let [q0, q1] = *q;
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
+        let constant = support::constant::<T>;
+
+        // Deformed moments T_μ + q_ν T_νμ (28 operations: 26 multiply-add, 2 add)
+        let moment_trace0 = constant(-0.9947209038954415) + q0;
+        let moment_yy0 = fma(constant(0.4263981532105582), q0, constant(-0.35745991614087375));
+        let moment_yy0 = fma(constant(0.020460802003686163), q1, moment_yy0);
+        let moment_zz0 = fma(constant(0.23189440611076592), q0, constant(0.07521157798719988));
+        let moment_zz0 = fma(constant(-0.024825686055228315), q1, moment_zz0);
+        let moment_xy0 = fma(constant(-0.3741720056985093), q0, constant(0.6774702697911463));
+        let moment_xy0 = fma(constant(-0.19869091187550442), q1, moment_xy0);
+        let moment_xz0 = fma(constant(0.3249947024321693), q0, constant(-0.35204371914598037));
+        let moment_xz0 = fma(constant(0.26048216589645834), q1, moment_xz0);
+        let moment_yz0 = fma(constant(-0.20789173714739423), q0, constant(0.12604683259980176));
+        let moment_yz0 = fma(constant(0.15205284766658334), q1, moment_yz0);
+        let coupling_x0 = fma(constant(0.0028125582436418217), q1, constant(0.053496959049884676));
+        let coupling_y0 = fma(constant(-0.07987792735250446), q1, constant(0.5849893020074547));
+        let coupling_z0 = fma(constant(0.021568360421953092), q1, constant(0.4842513272667617));
+        let moment_trace1 = constant(0.2654999166709638) + q1;
+        let moment_yy1 = fma(constant(0.020460802003686163), q0, constant(0.014352130742444631));
+        let moment_yy1 = fma(constant(0.27560309573984343), q1, moment_yy1);
+        let moment_zz1 = fma(constant(-0.024825686055228315), q0, constant(0.025949118296904113));
+        let moment_zz1 = fma(constant(0.2777197121885239), q1, moment_zz1);
+        let moment_xy1 = fma(constant(-0.19869091187550442), q0, constant(0.6809973814918842));
+        let moment_xy1 = fma(constant(0.3644474023994517), q1, moment_xy1);
+        let moment_xz1 = fma(constant(0.26048216589645834), q0, constant(0.3235615913824478));
+        let moment_xz1 = fma(constant(-0.17740742962498846), q1, moment_xz1);
+        let moment_yz1 = fma(constant(0.15205284766658334), q0, constant(-0.10155636262708387));
+        let moment_yz1 = fma(constant(-0.12931986208381874), q1, moment_yz1);
+        let coupling_x1 = fma(constant(-0.0028125582436418217), q0, constant(0.05659806201560469));
+        let coupling_y1 = fma(constant(0.07987792735250446), q0, constant(-0.024336448079582906));
+        let coupling_z1 = fma(constant(-0.021568360421953092), q0, constant(0.5554517462189514));
+
+        // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
+        let first_moment_x = fma(constant(0.1808945023903729), q0, constant(3.8488190757984935));
+        let first_moment_x = fma(constant(0.260950312316442), q1, first_moment_x);
+        let first_moment_y = fma(constant(0.036312876401983746), q0, constant(-0.9159102236504226));
+        let first_moment_y = fma(constant(0.04434516152818317), q1, first_moment_y);
+        let first_moment_z = fma(constant(-0.253438228790526), q0, constant(0.6387025978955773));
+        let first_moment_z = fma(constant(0.018906293194520626), q1, first_moment_z);
+
+        // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
+        let change_trace = fma(q1, constant(0.2654999166709638) + moment_trace1, q0 * (constant(-0.9947209038954415) + moment_trace0));
+        let change_yy = fma(q1, constant(0.014352130742444631) + moment_yy1, q0 * (constant(-0.35745991614087375) + moment_yy0));
+        let change_zz = fma(q1, constant(0.025949118296904113) + moment_zz1, q0 * (constant(0.07521157798719988) + moment_zz0));
+        let change_xy = fma(q1, constant(0.6809973814918842) + moment_xy1, q0 * (constant(0.6774702697911463) + moment_xy0));
+        let change_xz = fma(q1, constant(0.3235615913824478) + moment_xz1, q0 * (constant(-0.35204371914598037) + moment_xz0));
+        let change_yz = fma(q1, constant(-0.10155636262708387) + moment_yz1, q0 * (constant(0.12604683259980176) + moment_yz0));
+        let inertia_xx = constant(0.7754746712605683) + (change_yy + change_zz);
+        let inertia_yy = constant(6.467276656656911) + (change_trace - change_yy);
+        let inertia_zz = constant(6.612148691582212) + (change_trace - change_zz);
+        let inertia_yz = fma(change_yz, constant(-0.5), constant(0.12222711185730377));
+        let inertia_xz = fma(change_xz, constant(-0.5), constant(0.03415672448949026));
+        let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
+
+        // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
+        let t1 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
+        let t2 = fma(t1, constant(2.0), fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t3 = fma(constant(0.018906293194520626), q_dot1, constant(-0.253438228790526) * q_dot0);
+        let t4 = fma(t3, constant(2.0), fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(constant(0.260950312316442), q_dot1, constant(0.1808945023903729) * q_dot0);
+        let t6 = fma(t5, constant(2.0), fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
+        let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
+        let rate_yy = fma(q_dot1, moment_yy1, q_dot0 * moment_yy0);
+        let rate_zz = fma(q_dot1, moment_zz1, q_dot0 * moment_zz0);
+        let rate_xy = fma(q_dot1, moment_xy1, q_dot0 * moment_xy0);
+        let rate_xz = fma(q_dot1, moment_xz1, q_dot0 * moment_xz0);
+        let rate_yz = fma(q_dot1, moment_yz1, q_dot0 * moment_yz0);
+        let modal_spin_x = fma(q_dot1, coupling_x1, q_dot0 * coupling_x0);
+        let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
+        let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
+        let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let angular_momentum_z = modal_spin_z + angular_momentum_z;
+        let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
+        let t8 = omega_x * constant(2.0);
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t11 = omega_y * constant(2.0);
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * constant(2.0);
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
+
+        // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
+        let whirl_x0 = constant(0.0028125582436418217) * q_dot1;
+        let whirl_y0 = constant(-0.07987792735250446) * q_dot1;
+        let whirl_z0 = constant(0.021568360421953092) * q_dot1;
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
+        let whirl_x1 = constant(-0.0028125582436418217) * q_dot0;
+        let whirl_y1 = constant(0.07987792735250446) * q_dot0;
+        let whirl_z1 = constant(-0.021568360421953092) * q_dot0;
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
+
+        // Elastic and damping forces K q + D q̇ (6 operations: 4 multiply-add, 2 multiply)
+        let t25 = fma(constant(0.060988838275967676), q1, constant(40.18021554692058) * q0);
+        let t26 = fma(constant(70.13421321366216), q1, constant(0.060988838275967676) * q0);
+
+        (
+            constant(8.317420932029258),
+            [first_moment_x, first_moment_y, first_moment_z],
+            [
+                [inertia_xx, inertia_xy, inertia_xz],
+                [inertia_xy, inertia_yy, inertia_yz],
+                [inertia_xz, inertia_yz, inertia_zz],
+            ],
+            [
+                [constant(0.1808945023903729), constant(0.260950312316442)],
+                [constant(0.036312876401983746), constant(0.04434516152818317)],
+                [constant(-0.253438228790526), constant(0.018906293194520626)],
+            ],
+            [
+                [coupling_x0, coupling_x1],
+                [coupling_y0, coupling_y1],
+                [coupling_z0, coupling_z1],
+            ],
+            [
+                fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+                fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
+                modal_quadratic1,
+            ],
+            [
+                fma(constant(0.4018021554692058), q_dot0, t25),
+                fma(constant(0.7013421321366217), q_dot1, t26),
+            ],
+        )
     }
 
     #[automatically_derived]
-    impl<T: support::Number> ::ffrf::FlexibleBody<2, 8, T> for GenericBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::SVector<T, 2>,
-        ) -> ::ffrf::nalgebra::SMatrix<T, 8, 8> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl<T: support::Number> ::ffrf::FlexibleBody<T> for GenericBody {
+        type Modal = ::ffrf::nalgebra::SVector<T, 2>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::SVector<T, 2>,
-            omega: &::ffrf::nalgebra::Vector3<T>,
-            q_dot: &::ffrf::nalgebra::SVector<T, 2>,
-        ) -> ::ffrf::nalgebra::SVector<T, 8> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<T, 2> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -1169,27 +1349,92 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<T, 2>,
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
-            force: &::ffrf::nalgebra::SVector<T, 8>,
-        ) -> ::ffrf::nalgebra::SVector<T, 8> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<T, 2>, T>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<T, 2>, T> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<8>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<T, 2>,
+            q_dot: &::ffrf::nalgebra::SVector<T, 2>,
+        ) -> ::ffrf::nalgebra::SVector<T, 2> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<T, 2>,
+            gravity: &::ffrf::nalgebra::Vector3<T>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<T, 2>, T> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<T, 2>, T> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<T, 2>, T> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<T, 2>, T> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::SVector<T, 2>,
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
-            force: &::ffrf::nalgebra::SVector<T, 8>,
-        ) -> ::ffrf::EquationsOfMotion<2, 8, T> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<T, 2>, T> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
 
+        #[inline]
+        fn largest_stable_step(&self) -> ::core::option::Option<T> {
+            ::core::option::Option::Some(support::constant(Self::LARGEST_STABLE_STEP))
+        }
+    }
+
+    #[automatically_derived]
+    impl<T: support::Number> ::ffrf::Observables<T> for GenericBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -1198,7 +1443,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> T {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1217,7 +1467,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> ::ffrf::nalgebra::Vector3<T> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1228,51 +1483,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
         ) -> ::ffrf::nalgebra::Vector3<T> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> T {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl<T: support::Number> ::ffrf::DenseForms<2, 8, T> for GenericBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::SVector<T, 2>,
+        ) -> ::ffrf::nalgebra::SMatrix<T, 8, 8> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::SVector<T, 2>,
+            omega: &::ffrf::nalgebra::Vector3<T>,
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
-        ) -> ::ffrf::nalgebra::SVector<T, 2> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<T, 8> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::SVector<T, 2>,
-            gravity: &::ffrf::nalgebra::Vector3<T>,
-        ) -> ::ffrf::nalgebra::SVector<T, 8> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<T>,
+            q_dot: &::ffrf::nalgebra::SVector<T, 2>,
+            force: &::ffrf::nalgebra::SVector<T, 8>,
+        ) -> ::ffrf::EquationsOfMotion<2, 8, T> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<T, 2, 2> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<T, 2, 2> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl<T: support::Number> ::ffrf::NamedMarkers<T> for GenericBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<2, T>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<T, 2>, T>> {
             match name {
-                "tip" => ::core::option::Option::Some(GenericBody::TIP.cast()),
-                "root" => ::core::option::Option::Some(GenericBody::ROOT.cast()),
+                "tip" => ::core::option::Option::Some(Self::TIP.cast()),
+                "root" => ::core::option::Option::Some(Self::ROOT.cast()),
                 _ => ::core::option::Option::None,
             }
         }

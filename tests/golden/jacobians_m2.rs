@@ -17,8 +17,11 @@
 //   angular_momentum     94 operations: 53 multiply-add, 15 multiply, 26 add
 //   internal_force       6 operations: 4 multiply-add, 2 multiply
 //   gravity_force        21 operations: 13 multiply-add, 8 multiply
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              181 operations: 97 multiply-add, 52 multiply, 32 add
 //   acceleration_jacobian 1344 operations: 912 multiply-add, 259 multiply, 172 add, 1 divide
 //   residual_jacobian    613 operations: 288 multiply-add, 157 multiply, 168 add
 
@@ -44,29 +47,37 @@ impl JacobianBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x801fd2d4a02b7693;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [0.6518467005390362, -0.47660262108358015, -0.07443488947601737],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            0.6518467005390362, -0.47660262108358015, -0.07443488947601737,
+        ]),
         translation: [
-            [-0.131556090322646, 0.11076135615397562, -0.08224021095603869],
-            [0.2486751810163885, 0.024762404039211316, -0.2931739562032462],
+            ::ffrf::generated_support::vector([-0.131556090322646, 0.2486751810163885]),
+            ::ffrf::generated_support::vector([0.11076135615397562, 0.024762404039211316]),
+            ::ffrf::generated_support::vector([-0.08224021095603869, -0.2931739562032462]),
         ],
         rotation: [
-            [-0.0328890225806615, 0.027690339038493904, -0.02056005273900967],
-            [0.062168795254097124, 0.006190601009802829, -0.07329348905081155],
+            ::ffrf::generated_support::vector([-0.0328890225806615, 0.062168795254097124]),
+            ::ffrf::generated_support::vector([0.027690339038493904, 0.006190601009802829]),
+            ::ffrf::generated_support::vector([-0.02056005273900967, -0.07329348905081155]),
         ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<2, f64> = ::ffrf::Marker {
-        position: [0.23029690035311312, -0.5824850371825123, 0.32758492672641415],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            0.23029690035311312, -0.5824850371825123, 0.32758492672641415,
+        ]),
         translation: [
-            [0.029005380316552393, 0.15604491708784132, -0.3571058469941892],
-            [0.27383273162412464, -0.24491821897559737, 0.061335100611493484],
+            ::ffrf::generated_support::vector([0.029005380316552393, 0.27383273162412464]),
+            ::ffrf::generated_support::vector([0.15604491708784132, -0.24491821897559737]),
+            ::ffrf::generated_support::vector([-0.3571058469941892, 0.061335100611493484]),
         ],
         rotation: [
-            [0.007251345079138098, 0.03901122927196033, -0.0892764617485473],
-            [0.06845818290603116, -0.06122955474389934, 0.015333775152873371],
+            ::ffrf::generated_support::vector([0.007251345079138098, 0.06845818290603116]),
+            ::ffrf::generated_support::vector([0.03901122927196033, -0.06122955474389934]),
+            ::ffrf::generated_support::vector([-0.0892764617485473, 0.015333775152873371]),
         ],
     };
 }
@@ -953,13 +964,24 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 2. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass() -> [f64; 2] {
+
+        [1.0, 1.0]
+    }
+
     /// Modal stiffness K_ff.
     ///
     /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix() -> [[f64; 2]; 2] {
+    fn stiffness() -> [[f64; 2]; 2] {
 
         [
             [41.0018510905971, 0.9351597374893034],
@@ -969,16 +991,166 @@ const _: () = {
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 2 x 2, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 2. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix() -> [[f64; 2]; 2] {
+    fn damping() -> [f64; 2] {
 
-        [
-            [0.410018510905971, 0.0],
-            [0.0, 0.7093539824726789],
-        ]
+        [0.410018510905971, 0.7093539824726789]
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass() -> f64 {
+
+        7.95389213843747
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 2, 3 x 2, 8, 2. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 181 operations: 97 multiply-add, 52 multiply, 32 add.
+    #[inline]
+    fn prepare(
+        q: &[f64; 2],
+        omega: &[f64; 3],
+        q_dot: &[f64; 2],
+    ) -> (f64, [f64; 3], [[f64; 3]; 3], [[f64; 2]; 3], [[f64; 2]; 3], [f64; 8], [f64; 2]) {
+        let [q0, q1] = *q;
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
+
+        // Deformed moments T_μ + q_ν T_νμ (28 operations: 26 multiply-add, 2 add)
+        let moment_trace0 = -1.1922303307198583 + q0;
+        let moment_yy0 = fma(0.00639232183790743, q1, fma(0.23372499810342384, q0, -0.09191914725543346));
+        let moment_zz0 = fma(-0.04431370462910027, q1, fma(0.46098765458032875, q0, -0.12615932134690072));
+        let moment_xy0 = fma(0.08566760407982914, q1, fma(0.12985232981165795, q0, -0.16404494841334252));
+        let moment_xz0 = fma(0.06527925764351436, q1, fma(-0.33402903106409804, q0, 0.42265980028762185));
+        let moment_yz0 = fma(-0.14347674245138292, q1, fma(-0.4323361376218965, q0, 0.16695215048514464));
+        let coupling_x0 = fma(0.01153987579044198, q1, 0.17967242410663672);
+        let coupling_y0 = fma(0.19242619512316964, q1, -0.6802020572291392);
+        let coupling_z0 = fma(-0.11303908576704362, q1, -0.2876256690047996);
+        let moment_trace1 = 0.23717081301087906 + q1;
+        let moment_yy1 = fma(0.23702303838193275, q1, fma(0.00639232183790743, q0, 0.22053904757743034));
+        let moment_zz1 = fma(0.3754957458776394, q1, fma(-0.04431370462910027, q0, 0.08350957709807609));
+        let moment_xy1 = fma(0.031030589707457527, q1, fma(0.08566760407982914, q0, -0.19465513087508376));
+        let moment_xz1 = fma(0.41141170797873267, q1, fma(0.06527925764351436, q0, -0.030186847547927415));
+        let moment_yz1 = fma(0.13572545476093628, q1, fma(-0.14347674245138292, q0, 0.10807977976839368));
+        let coupling_x1 = fma(-0.01153987579044198, q0, 0.02334081812600157);
+        let coupling_y1 = fma(-0.19242619512316964, q0, 0.34111820929518955);
+        let coupling_z1 = fma(0.11303908576704362, q0, -0.024918736851768153);
+
+        // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
+        let first_moment_x = fma(0.26899095817779994, q1, fma(-0.7613599420768367, q0, 5.997282184846552));
+        let first_moment_y = fma(0.055993206221893924, q1, fma(-0.013296641892764124, q0, -1.060011213567437));
+        let first_moment_z = fma(0.23954110582463117, q1, fma(-0.14106512955956807, q0, 1.1813353432601728));
+
+        // Deformed inertia tensor Θ_rr (33 operations: 9 multiply-add, 6 multiply, 18 add)
+        let change_trace = fma(q1, 0.23717081301087906 + moment_trace1, q0 * (-1.1922303307198583 + moment_trace0));
+        let change_yy = fma(q1, 0.22053904757743034 + moment_yy1, q0 * (-0.09191914725543346 + moment_yy0));
+        let change_zz = fma(q1, 0.08350957709807609 + moment_zz1, q0 * (-0.12615932134690072 + moment_zz0));
+        let change_xy = fma(q1, -0.19465513087508376 + moment_xy1, q0 * (-0.16404494841334252 + moment_xy0));
+        let change_xz = fma(q1, -0.030186847547927415 + moment_xz1, q0 * (0.42265980028762185 + moment_xz0));
+        let change_yz = fma(q1, 0.10807977976839368 + moment_yz1, q0 * (0.16695215048514464 + moment_yz0));
+        let inertia_xx = 1.395868238733327 + (change_yy + change_zz);
+        let inertia_yy = 6.516527125835783 + (change_trace - change_yy);
+        let inertia_zz = 7.046602419425604 + (change_trace - change_zz);
+        let inertia_yz = fma(change_yz, -0.5, -0.02439287155203819);
+        let inertia_xz = fma(change_xz, -0.5, -0.8912259279844577);
+        let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
+
+        // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
+        let t1 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
+        let t2 = fma(t1, 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t3 = fma(0.23954110582463117, q_dot1, -0.14106512955956807 * q_dot0);
+        let t4 = fma(t3, 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(0.26899095817779994, q_dot1, -0.7613599420768367 * q_dot0);
+        let t6 = fma(t5, 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (54 operations: 24 multiply-add, 21 multiply, 9 add)
+        let rate_trace = fma(q_dot1, moment_trace1, q_dot0 * moment_trace0);
+        let rate_yy = fma(q_dot1, moment_yy1, q_dot0 * moment_yy0);
+        let rate_zz = fma(q_dot1, moment_zz1, q_dot0 * moment_zz0);
+        let rate_xy = fma(q_dot1, moment_xy1, q_dot0 * moment_xy0);
+        let rate_xz = fma(q_dot1, moment_xz1, q_dot0 * moment_xz0);
+        let rate_yz = fma(q_dot1, moment_yz1, q_dot0 * moment_yz0);
+        let modal_spin_x = fma(q_dot1, coupling_x1, q_dot0 * coupling_x0);
+        let modal_spin_y = fma(q_dot1, coupling_y1, q_dot0 * coupling_y0);
+        let modal_spin_z = fma(q_dot1, coupling_z1, q_dot0 * coupling_z0);
+        let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let angular_momentum_z = modal_spin_z + angular_momentum_z;
+        let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t11 = omega_y * 2.0;
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
+
+        // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (33 operations: 16 multiply-add, 14 multiply, 3 add)
+        let whirl_x0 = 0.01153987579044198 * q_dot1;
+        let whirl_y0 = 0.19242619512316964 * q_dot1;
+        let whirl_z0 = -0.11303908576704362 * q_dot1;
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
+        let whirl_x1 = -0.01153987579044198 * q_dot0;
+        let whirl_y1 = -0.19242619512316964 * q_dot0;
+        let whirl_z1 = 0.11303908576704362 * q_dot0;
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
+
+        // Elastic and damping forces K q + D q̇ (6 operations: 4 multiply-add, 2 multiply)
+        let t25 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
+        let t26 = fma(0.7093539824726789, q_dot1, fma(70.93539824726788, q1, 0.9351597374893034 * q0));
+
+        (
+            7.95389213843747,
+            [first_moment_x, first_moment_y, first_moment_z],
+            [
+                [inertia_xx, inertia_xy, inertia_xz],
+                [inertia_xy, inertia_yy, inertia_yz],
+                [inertia_xz, inertia_yz, inertia_zz],
+            ],
+            [
+                [-0.7613599420768367, 0.26899095817779994],
+                [-0.013296641892764124, 0.055993206221893924],
+                [-0.14106512955956807, 0.23954110582463117],
+            ],
+            [
+                [coupling_x0, coupling_x1],
+                [coupling_y0, coupling_y1],
+                [coupling_z0, coupling_z1],
+            ],
+            [
+                fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+                fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
+                modal_quadratic1,
+            ],
+            [t25, t26],
+        )
     }
 
     /// Accelerations w and their derivatives with respect to q, q̇, ω and force; that to the velocity is zero.
@@ -2173,23 +2345,12 @@ const _: () = {
     }
 
     #[automatically_derived]
-    impl ::ffrf::FlexibleBody<2, 8, f64> for JacobianBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl ::ffrf::FlexibleBody<f64> for JacobianBody {
+        type Modal = ::ffrf::nalgebra::SVector<f64, 2>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 2>,
-            omega: &::ffrf::nalgebra::Vector3<f64>,
-            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<f64, 2> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -2198,27 +2359,92 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-            force: &::ffrf::nalgebra::SVector<f64, 8>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<8>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> ::ffrf::nalgebra::SVector<f64, 2> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            gravity: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-            force: &::ffrf::nalgebra::SVector<f64, 8>,
-        ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 2>, f64> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
 
+        #[inline]
+        fn largest_stable_step(&self) -> ::core::option::Option<f64> {
+            ::core::option::Option::Some(Self::LARGEST_STABLE_STEP)
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::Observables<f64> for JacobianBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -2227,7 +2453,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -2246,7 +2477,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -2257,51 +2493,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> f64 {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::DenseForms<2, 8, f64> for JacobianBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 8, 8> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 2> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 2>,
-            gravity: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 8> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+            force: &::ffrf::nalgebra::SVector<f64, 8>,
+        ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 2, 2> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl ::ffrf::NamedMarkers<f64> for JacobianBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<2, f64>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 2>, f64>> {
             match name {
-                "tip" => ::core::option::Option::Some(JacobianBody::TIP),
-                "root" => ::core::option::Option::Some(JacobianBody::ROOT),
+                "tip" => ::core::option::Option::Some(Self::TIP),
+                "root" => ::core::option::Option::Some(Self::ROOT),
                 _ => ::core::option::Option::None,
             }
         }
@@ -2317,7 +2582,12 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::AccelerationJacobian<2, 8, f64> {
-            let (acceleration, coordinates, rates, angular_velocity, force) = acceleration_jacobian(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
+            let (acceleration, coordinates, rates, angular_velocity, force) = acceleration_jacobian(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
             ::ffrf::AccelerationJacobian {
                 acceleration: support::vector(acceleration),
                 coordinates: support::matrix(coordinates),
@@ -2336,7 +2606,13 @@ const _: () = {
             acceleration: &::ffrf::nalgebra::SVector<f64, 8>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::ResidualJacobian<2, 8, f64> {
-            let (residual, coordinates, rates, angular_velocity, acceleration) = residual_jacobian(support::array(q), support::array(omega), support::array(q_dot), support::array(acceleration), support::array(force));
+            let (residual, coordinates, rates, angular_velocity, acceleration) = residual_jacobian(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(acceleration),
+                support::array(force),
+            );
             ::ffrf::ResidualJacobian {
                 residual: support::vector(residual),
                 coordinates: support::matrix(coordinates),

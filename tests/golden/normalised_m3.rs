@@ -17,8 +17,11 @@
 //   angular_momentum     150 operations: 102 multiply-add, 15 multiply, 33 add
 //   internal_force       12 operations: 9 multiply-add, 3 multiply
 //   gravity_force        27 operations: 18 multiply-add, 9 multiply
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              273 operations: 177 multiply-add, 57 multiply, 39 add
 
 /// Flexible body "random body with 3 modes" with 3 modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,33 +48,61 @@ impl NormalisedBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0xa78b20df8304081a;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<3, f64> = ::ffrf::Marker {
-        position: [1.1470824818088845, -0.39871755732828656, 0.29547160578230425],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 3>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            1.1470824818088845, -0.39871755732828656, 0.29547160578230425,
+        ]),
         translation: [
-            [0.09549947601569042, -0.33528265087979015, 0.13347648304663345],
-            [-0.06015624735011507, -0.13416210638861573, 0.22148782237955136],
-            [0.17617871401076804, -0.3231580362556436, -0.2607048459151924],
+            ::ffrf::generated_support::vector([
+                0.09549947601569042, -0.06015624735011507, 0.17617871401076804,
+            ]),
+            ::ffrf::generated_support::vector([
+                -0.33528265087979015, -0.13416210638861573, -0.3231580362556436,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.13347648304663345, 0.22148782237955136, -0.2607048459151924,
+            ]),
         ],
         rotation: [
-            [0.023874869003922605, -0.08382066271994754, 0.033369120761658363],
-            [-0.015039061837528768, -0.03354052659715393, 0.05537195559488784],
-            [0.04404467850269201, -0.0807895090639109, -0.0651762114787981],
+            ::ffrf::generated_support::vector([
+                0.023874869003922605, -0.015039061837528768, 0.04404467850269201,
+            ]),
+            ::ffrf::generated_support::vector([
+                -0.08382066271994754, -0.03354052659715393, -0.0807895090639109,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.033369120761658363, 0.05537195559488784, -0.0651762114787981,
+            ]),
         ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<3, f64> = ::ffrf::Marker {
-        position: [0.19902534863222765, -0.6225683209294701, -0.16494624538857414],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 3>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            0.19902534863222765, -0.6225683209294701, -0.16494624538857414,
+        ]),
         translation: [
-            [0.07447388009917834, 0.32607159814746123, 0.21160610422623877],
-            [-0.40043317819329904, 0.20147320905563199, -0.12527931021716496],
-            [0.2764329570442873, -0.21584460543695475, 0.2120029858820394],
+            ::ffrf::generated_support::vector([
+                0.07447388009917834, -0.40043317819329904, 0.2764329570442873,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.32607159814746123, 0.20147320905563199, -0.21584460543695475,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.21160610422623877, -0.12527931021716496, 0.2120029858820394,
+            ]),
         ],
         rotation: [
-            [0.018618470024794585, 0.08151789953686531, 0.05290152605655969],
-            [-0.10010829454832476, 0.050368302263907996, -0.03131982755429124],
-            [0.06910823926107182, -0.053961151359238686, 0.05300074647050985],
+            ::ffrf::generated_support::vector([
+                0.018618470024794585, -0.10010829454832476, 0.06910823926107182,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.08151789953686531, 0.050368302263907996, -0.053961151359238686,
+            ]),
+            ::ffrf::generated_support::vector([
+                0.05290152605655969, -0.03131982755429124, 0.05300074647050985,
+            ]),
         ],
     };
 }
@@ -1257,13 +1288,24 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 3. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass() -> [f64; 3] {
+
+        [1.0, 1.0, 1.0]
+    }
+
     /// Modal stiffness K_ff.
     ///
     /// Shape: 3 x 3, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix() -> [[f64; 3]; 3] {
+    fn stiffness() -> [[f64; 3]; 3] {
 
         [
             [40.97972364521601, -0.3709670437145567, 0.735813098445183],
@@ -1274,37 +1316,218 @@ const _: () = {
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 3 x 3, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 3. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix() -> [[f64; 3]; 3] {
+    fn damping() -> [f64; 3] {
 
-        [
-            [0.40979723645216015, 0.0, 0.0],
-            [0.0, 0.708017180173034, 0.0],
-            [0.0, 0.0, 1.014346531659143],
-        ]
+        [0.40979723645216015, 0.708017180173034, 1.014346531659143]
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass() -> f64 {
+
+        7.3591122239340905
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 3, 3 x 3, 9, 3. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 273 operations: 177 multiply-add, 57 multiply, 39 add.
+    #[inline]
+    fn prepare(
+        q: &[f64; 3],
+        omega: &[f64; 3],
+        q_dot: &[f64; 3],
+    ) -> (f64, [f64; 3], [[f64; 3]; 3], [[f64; 3]; 3], [[f64; 3]; 3], [f64; 9], [f64; 3]) {
+        let [q0, q1, q2] = *q;
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1, q_dot2] = *q_dot;
+
+        // Deformed moments T_μ + q_ν T_νμ (66 operations: 63 multiply-add, 3 add)
+        let moment_trace0 = -0.2463634087948969 + q0;
+        let moment_yy0 = fma(0.12402127762118713, q1, fma(0.43629474915199445, q0, -0.0043137448758319725));
+        let moment_yy0 = fma(0.0799614599631743, q2, moment_yy0);
+        let moment_zz0 = fma(-0.08271867850642328, q1, fma(0.28095784209384084, q0, -0.03733666997061228));
+        let moment_zz0 = fma(-0.023372780468501185, q2, moment_zz0);
+        let moment_xy0 = fma(-0.2121122800422462, q1, fma(0.05656517466431705, q0, -0.46755278466599653));
+        let moment_xy0 = fma(0.25141489827149677, q2, moment_xy0);
+        let moment_xz0 = fma(-0.12337940027842888, q1, fma(0.32305731561875944, q0, -0.21867896330887776));
+        let moment_xz0 = fma(-0.17144347688633416, q2, moment_xz0);
+        let moment_yz0 = fma(-0.14683070745715462, q1, fma(0.15314098530483627, q0, -0.18160848196413876));
+        let moment_yz0 = fma(0.22845760823127884, q2, moment_yz0);
+        let coupling_x0 = fma(0.060263122931659224, q2, fma(0.022947839769396544, q1, 0.37042628059499655));
+        let coupling_y0 = fma(0.029410818970273353, q2, fma(-0.006993626926628485, q1, 0.3840269432291407));
+        let coupling_z0 = fma(-0.03327501521238438, q2, fma(0.07264855940822362, q1, -0.49227206837027687));
+        let moment_trace1 = 0.0617921457058243 + q1;
+        let moment_yy1 = fma(0.3547631682439235, q1, fma(0.12402127762118713, q0, -0.05878159250410881));
+        let moment_yy1 = fma(-0.06098447347498283, q2, moment_yy1);
+        let moment_zz1 = fma(0.4285889795821095, q1, fma(-0.08271867850642328, q0, 0.07341820867575086));
+        let moment_zz1 = fma(0.08983569240111199, q2, moment_zz1);
+        let moment_xy1 = fma(-0.03083950530945965, q1, fma(-0.2121122800422462, q0, -0.16356652827720325));
+        let moment_xy1 = fma(0.1728906770984749, q2, moment_xy1);
+        let moment_xz1 = fma(-0.019296539844867622, q1, fma(-0.12337940027842888, q0, 0.35664473969046856));
+        let moment_xz1 = fma(0.007474107142135325, q2, moment_xz1);
+        let moment_yz1 = fma(0.02508019501125395, q1, fma(-0.14683070745715462, q0, -0.1435399515724386));
+        let moment_yz1 = fma(-0.17698212305282568, q2, moment_yz1);
+        let coupling_x1 = fma(-0.17955294016720857, q2, fma(-0.022947839769396544, q0, -0.09650108126600349));
+        let coupling_y1 = fma(-0.21401930418126247, q2, fma(0.006993626926628485, q0, -0.3960960955807162));
+        let coupling_z1 = fma(0.09423875781655167, q2, fma(-0.07264855940822362, q0, -0.42709529563804643));
+        let moment_trace2 = 0.2832911854961558 + q2;
+        let moment_yy2 = fma(-0.06098447347498283, q1, fma(0.0799614599631743, q0, 0.2722075678336857));
+        let moment_yy2 = fma(0.4086629420876164, q2, moment_yy2);
+        let moment_zz2 = fma(0.08983569240111199, q1, fma(-0.023372780468501185, q0, -0.03246059887457108));
+        let moment_zz2 = fma(0.3077652909316679, q2, moment_zz2);
+        let moment_xy2 = fma(0.1728906770984749, q1, fma(0.25141489827149677, q0, -0.5181648891585606));
+        let moment_xy2 = fma(-0.3724242767645895, q2, moment_xy2);
+        let moment_xz2 = fma(0.007474107142135325, q1, fma(-0.17144347688633416, q0, 0.21101420466134244));
+        let moment_xz2 = fma(-0.01654924360523076, q2, moment_xz2);
+        let moment_yz2 = fma(-0.17698212305282568, q1, fma(0.22845760823127884, q0, -0.02933189855130075));
+        let moment_yz2 = fma(-0.2019734132810555, q2, moment_yz2);
+        let coupling_x2 = fma(0.17955294016720857, q1, fma(-0.060263122931659224, q0, -0.08855395126500176));
+        let coupling_y2 = fma(0.21401930418126247, q1, fma(-0.029410818970273353, q0, -0.4358860341505495));
+        let coupling_z2 = fma(-0.09423875781655167, q1, fma(0.03327501521238438, q0, -0.12457865909957103));
+
+        // Deformed first moment m r = m a + m b_μ q_μ (9 operations: 9 multiply-add)
+        let first_moment_x = fma(-0.25776611797120724, q1, fma(-0.06409007611640456, q0, 3.628970340488425));
+        let first_moment_x = fma(-0.23893014622917852, q2, first_moment_x);
+        let first_moment_y = fma(-0.17297569884952893, q1, fma(-0.9001934196050294, q0, -1.8883728163905464));
+        let first_moment_y = fma(-0.42481972953070996, q2, first_moment_y);
+        let first_moment_z = fma(-0.05794438109558275, q1, fma(-0.10812284215722648, q0, 0.9617517773293774));
+        let first_moment_z = fma(0.02522646067793359, q2, first_moment_z);
+
+        // Deformed inertia tensor Θ_rr (45 operations: 15 multiply-add, 6 multiply, 24 add)
+        let change_trace = fma(q1, 0.0617921457058243 + moment_trace1, q0 * (-0.2463634087948969 + moment_trace0));
+        let change_trace = fma(q2, 0.2832911854961558 + moment_trace2, change_trace);
+        let change_yy = fma(q1, -0.05878159250410881 + moment_yy1, q0 * (-0.0043137448758319725 + moment_yy0));
+        let change_yy = fma(q2, 0.2722075678336857 + moment_yy2, change_yy);
+        let change_zz = fma(q1, 0.07341820867575086 + moment_zz1, q0 * (-0.03733666997061228 + moment_zz0));
+        let change_zz = fma(q2, -0.03246059887457108 + moment_zz2, change_zz);
+        let change_xy = fma(q1, -0.16356652827720325 + moment_xy1, q0 * (-0.46755278466599653 + moment_xy0));
+        let change_xy = fma(q2, -0.5181648891585606 + moment_xy2, change_xy);
+        let change_xz = fma(q1, 0.35664473969046856 + moment_xz1, q0 * (-0.21867896330887776 + moment_xz0));
+        let change_xz = fma(q2, 0.21101420466134244 + moment_xz2, change_xz);
+        let change_yz = fma(q1, -0.1435399515724386 + moment_yz1, q0 * (-0.18160848196413876 + moment_yz0));
+        let change_yz = fma(q2, -0.02933189855130075 + moment_yz2, change_yz);
+        let inertia_xx = 1.3483735032499848 + (change_yy + change_zz);
+        let inertia_yy = 4.074796168217195 + (change_trace - change_yy);
+        let inertia_zz = 4.673024737930089 + (change_trace - change_zz);
+        let inertia_yz = fma(change_yz, -0.5, 0.13393826984310248);
+        let inertia_xz = fma(change_xz, -0.5, -0.41849969519340835);
+        let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
+
+        // Translation: ω × (ω × m r + 2 m B q̇) (24 operations: 15 multiply-add, 9 multiply)
+        let t1 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
+        let t2 = fma(fma(-0.42481972953070996, q_dot2, t1), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
+        let t3 = fma(-0.05794438109558275, q_dot1, -0.10812284215722648 * q_dot0);
+        let t4 = fma(fma(0.02522646067793359, q_dot2, t3), 2.0, fma(-omega_y, first_moment_x, omega_x * first_moment_y));
+        let t5 = fma(-0.25776611797120724, q_dot1, -0.06409007611640456 * q_dot0);
+        let t6 = fma(fma(-0.23893014622917852, q_dot2, t5), 2.0, fma(-omega_z, first_moment_y, omega_y * first_moment_z));
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (63 operations: 33 multiply-add, 21 multiply, 9 add)
+        let rate_trace = fma(q_dot2, moment_trace2, fma(q_dot1, moment_trace1, q_dot0 * moment_trace0));
+        let rate_yy = fma(q_dot2, moment_yy2, fma(q_dot1, moment_yy1, q_dot0 * moment_yy0));
+        let rate_zz = fma(q_dot2, moment_zz2, fma(q_dot1, moment_zz1, q_dot0 * moment_zz0));
+        let rate_xy = fma(q_dot2, moment_xy2, fma(q_dot1, moment_xy1, q_dot0 * moment_xy0));
+        let rate_xz = fma(q_dot2, moment_xz2, fma(q_dot1, moment_xz1, q_dot0 * moment_xz0));
+        let rate_yz = fma(q_dot2, moment_yz2, fma(q_dot1, moment_yz1, q_dot0 * moment_yz0));
+        let modal_spin_x = fma(q_dot2, coupling_x2, fma(q_dot1, coupling_x1, q_dot0 * coupling_x0));
+        let modal_spin_y = fma(q_dot2, coupling_y2, fma(q_dot1, coupling_y1, q_dot0 * coupling_y0));
+        let modal_spin_z = fma(q_dot2, coupling_z2, fma(q_dot1, coupling_z1, q_dot0 * coupling_z0));
+        let angular_momentum_x = fma(omega_z, inertia_xz, fma(omega_y, inertia_xy, omega_x * inertia_xx));
+        let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = fma(omega_z, inertia_yz, fma(omega_y, inertia_yy, omega_x * inertia_xy));
+        let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = fma(omega_z, inertia_zz, fma(omega_y, inertia_yz, omega_x * inertia_xz));
+        let angular_momentum_z = modal_spin_z + angular_momentum_z;
+        let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
+        let t8 = omega_x * 2.0;
+        let t9 = fma(-omega_z, rate_xz, fma(-omega_y, rate_xy, (rate_yy + rate_zz) * t8));
+        let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t11 = omega_y * 2.0;
+        let t12 = fma(-omega_z, rate_yz, fma(-omega_x, rate_xy, (rate_trace - rate_yy) * t11));
+        let t13 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+        let t14 = omega_z * 2.0;
+        let t15 = fma(rate_trace - rate_zz, t14, -fma(omega_y, rate_yz, omega_x * rate_xz));
+
+        // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (54 operations: 33 multiply-add, 18 multiply, 3 add)
+        let whirl_x0 = fma(0.060263122931659224, q_dot2, 0.022947839769396544 * q_dot1);
+        let whirl_y0 = fma(0.029410818970273353, q_dot2, -0.006993626926628485 * q_dot1);
+        let whirl_z0 = fma(-0.03327501521238438, q_dot2, 0.07264855940822362 * q_dot1);
+        let t16 = omega_y * omega_z;
+        let t17 = omega_x * omega_z;
+        let t18 = omega_x * omega_y;
+        let t19 = omega_z * omega_z;
+        let t20 = omega_x * omega_x;
+        let t21 = t19 - t20;
+        let t22 = omega_y * omega_y;
+        let t23 = t22 + t19;
+        let t24 = t22 - t20;
+        let modal_quadratic0 = fma(moment_zz0, t21, fma(-moment_trace0, t23, moment_yy0 * t24));
+        let modal_quadratic0 = fma(moment_yz0, t16, fma(moment_xz0, t17, fma(moment_xy0, t18, modal_quadratic0)));
+        let modal_quadratic0 = fma(t14, whirl_z0, fma(t11, whirl_y0, fma(t8, whirl_x0, modal_quadratic0)));
+        let whirl_x1 = fma(-0.17955294016720857, q_dot2, -0.022947839769396544 * q_dot0);
+        let whirl_y1 = fma(-0.21401930418126247, q_dot2, 0.006993626926628485 * q_dot0);
+        let whirl_z1 = fma(0.09423875781655167, q_dot2, -0.07264855940822362 * q_dot0);
+        let modal_quadratic1 = fma(moment_zz1, t21, fma(-moment_trace1, t23, moment_yy1 * t24));
+        let modal_quadratic1 = fma(moment_yz1, t16, fma(moment_xz1, t17, fma(moment_xy1, t18, modal_quadratic1)));
+        let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
+        let whirl_x2 = fma(0.17955294016720857, q_dot1, -0.060263122931659224 * q_dot0);
+        let whirl_y2 = fma(0.21401930418126247, q_dot1, -0.029410818970273353 * q_dot0);
+        let whirl_z2 = fma(-0.09423875781655167, q_dot1, 0.03327501521238438 * q_dot0);
+        let modal_quadratic2 = fma(moment_zz2, t21, fma(-moment_trace2, t23, moment_yy2 * t24));
+        let modal_quadratic2 = fma(moment_yz2, t16, fma(moment_xz2, t17, fma(moment_xy2, t18, modal_quadratic2)));
+        let modal_quadratic2 = fma(t14, whirl_z2, fma(t11, whirl_y2, fma(t8, whirl_x2, modal_quadratic2)));
+
+        // Elastic and damping forces K q + D q̇ (12 operations: 9 multiply-add, 3 multiply)
+        let t25 = fma(0.735813098445183, q2, fma(-0.3709670437145567, q1, 40.97972364521601 * q0));
+        let t26 = fma(-0.8668418567424443, q2, fma(70.8017180173034, q1, -0.3709670437145567 * q0));
+        let t27 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
+
+        (
+            7.3591122239340905,
+            [first_moment_x, first_moment_y, first_moment_z],
+            [
+                [inertia_xx, inertia_xy, inertia_xz],
+                [inertia_xy, inertia_yy, inertia_yz],
+                [inertia_xz, inertia_yz, inertia_zz],
+            ],
+            [
+                [-0.06409007611640456, -0.25776611797120724, -0.23893014622917852],
+                [-0.9001934196050294, -0.17297569884952893, -0.42481972953070996],
+                [-0.10812284215722648, -0.05794438109558275, 0.02522646067793359],
+            ],
+            [
+                [coupling_x0, coupling_x1, coupling_x2],
+                [coupling_y0, coupling_y1, coupling_y2],
+                [coupling_z0, coupling_z1, coupling_z2],
+            ],
+            [
+                fma(-omega_z, t2, omega_y * t4), fma(-omega_x, t4, omega_z * t6),
+                fma(-omega_y, t6, omega_x * t2), t7 + t9, t10 + t12, t13 + t15, modal_quadratic0,
+                modal_quadratic1, modal_quadratic2,
+            ],
+            [
+                fma(0.40979723645216015, q_dot0, t25), fma(0.708017180173034, q_dot1, t26),
+                fma(1.014346531659143, q_dot2, t27),
+            ],
+        )
     }
 
     #[automatically_derived]
-    impl ::ffrf::FlexibleBody<3, 9, f64> for NormalisedBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 9, 9> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl ::ffrf::FlexibleBody<f64> for NormalisedBody {
+        type Modal = ::ffrf::nalgebra::SVector<f64, 3>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::Vector3<f64>,
-            omega: &::ffrf::nalgebra::Vector3<f64>,
-            q_dot: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<f64, 3> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -1313,27 +1536,92 @@ const _: () = {
             q: &::ffrf::nalgebra::Vector3<f64>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
-            force: &::ffrf::nalgebra::SVector<f64, 9>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 3>, f64>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<9>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::nalgebra::Vector3<f64> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            gravity: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::Vector3<f64>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
-            force: &::ffrf::nalgebra::SVector<f64, 9>,
-        ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 3>, f64> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
 
+        #[inline]
+        fn largest_stable_step(&self) -> ::core::option::Option<f64> {
+            ::core::option::Option::Some(Self::LARGEST_STABLE_STEP)
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::Observables<f64> for NormalisedBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -1342,7 +1630,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1361,7 +1654,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1372,51 +1670,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> f64 {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::DenseForms<3, 9, f64> for NormalisedBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 9, 9> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::Vector3<f64>,
-            gravity: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::Vector3<f64>,
+            force: &::ffrf::nalgebra::SVector<f64, 9>,
+        ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 3, 3> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 3, 3> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl ::ffrf::NamedMarkers<f64> for NormalisedBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<3, f64>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 3>, f64>> {
             match name {
-                "tip" => ::core::option::Option::Some(NormalisedBody::TIP),
-                "root" => ::core::option::Option::Some(NormalisedBody::ROOT),
+                "tip" => ::core::option::Option::Some(Self::TIP),
+                "root" => ::core::option::Option::Some(Self::ROOT),
                 _ => ::core::option::Option::None,
             }
         }

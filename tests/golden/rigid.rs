@@ -17,8 +17,11 @@
 //   angular_momentum     18 operations: 9 multiply-add, 6 multiply, 3 add
 //   internal_force       0 operations
 //   gravity_force        9 operations: 3 multiply-add, 6 multiply
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              27 operations: 15 multiply-add, 12 multiply
 
 /// Flexible body "random body with 0 modes" with 0 modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,18 +45,38 @@ impl RigidBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0x85f9dd47830681f2;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<0, f64> = ::ffrf::Marker {
-        position: [0.46124542033605, 0.12405822097716351, -0.19961130479129532],
-        translation: [],
-        rotation: [],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 0>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            0.46124542033605, 0.12405822097716351, -0.19961130479129532,
+        ]),
+        translation: [
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+        ],
+        rotation: [
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+        ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<0, f64> = ::ffrf::Marker {
-        position: [0.8728259075644883, -0.5483694885612951, 0.353143387031559],
-        translation: [],
-        rotation: [],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 0>, f64> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([
+            0.8728259075644883, -0.5483694885612951, 0.353143387031559,
+        ]),
+        translation: [
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+        ],
+        rotation: [
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+            ::ffrf::generated_support::vector([]),
+        ],
     };
 }
 
@@ -377,48 +400,112 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 0. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass() -> [f64; 0] {
+
+        []
+    }
+
     /// Modal stiffness K_ff.
     ///
-    /// Shape: 0 x 0, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
+    /// Shape: 0. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix() -> [[f64; 0]; 0] {
+    fn stiffness() -> [f64; 0] {
 
-        [
-        ]
+        []
     }
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 0 x 0, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 0. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix() -> [[f64; 0]; 0] {
+    fn damping() -> [f64; 0] {
 
-        [
-        ]
+        []
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass() -> f64 {
+
+        4.750895559377081
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 0, 3 x 0, 6, 0. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 27 operations: 15 multiply-add, 12 multiply.
+    #[inline]
+    fn prepare(
+        _q: &[f64; 0],
+        omega: &[f64; 3],
+        _q_dot: &[f64; 0],
+    ) -> (f64, [f64; 3], [[f64; 3]; 3], [[f64; 0]; 3], [[f64; 0]; 3], [f64; 6], [f64; 0]) {
+        let [omega_x, omega_y, omega_z] = *omega;
+
+        // Translation: ω × (ω × m r + 2 m B q̇) (12 operations: 6 multiply-add, 6 multiply)
+        let t1 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
+        let t2 = fma(-0.26448998962819253, omega_y, -0.3842708618960716 * omega_x);
+        let t3 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (15 operations: 9 multiply-add, 6 multiply)
+        let angular_momentum_x = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
+        let angular_momentum_x = fma(-0.1624722586673698, omega_z, angular_momentum_x);
+        let angular_momentum_y = fma(1.4552003036948755, omega_y, 0.00010941190558857311 * omega_x);
+        let angular_momentum_y = fma(0.11314727603440698, omega_z, angular_momentum_y);
+        let angular_momentum_z = fma(0.11314727603440698, omega_y, -0.1624722586673698 * omega_x);
+        let angular_momentum_z = fma(1.6133596019654122, omega_z, angular_momentum_z);
+        let t4 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
+        let t5 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
+        let t6 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+
+        (
+            4.750895559377081,
+            [0.26448998962819253, -0.3842708618960716, 0.06447691727380375],
+            [
+                [0.45858269202621915, 0.00010941190558857311, -0.1624722586673698],
+                [0.00010941190558857311, 1.4552003036948755, 0.11314727603440698],
+                [-0.1624722586673698, 0.11314727603440698, 1.6133596019654122],
+            ],
+            [
+                [],
+                [],
+                [],
+            ],
+            [
+                [],
+                [],
+                [],
+            ],
+            [
+                fma(-omega_z, t1, omega_y * t2), fma(-omega_x, t2, omega_z * t3),
+                fma(-omega_y, t3, omega_x * t1), t4, t5, t6,
+            ],
+            [],
+        )
     }
 
     #[automatically_derived]
-    impl ::ffrf::FlexibleBody<0, 6, f64> for RigidBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 0>,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 6, 6> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl ::ffrf::FlexibleBody<f64> for RigidBody {
+        type Modal = ::ffrf::nalgebra::SVector<f64, 0>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::SVector<f64, 0>,
-            omega: &::ffrf::nalgebra::Vector3<f64>,
-            q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 6> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<f64, 0> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -427,27 +514,87 @@ const _: () = {
             q: &::ffrf::nalgebra::SVector<f64, 0>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
-            force: &::ffrf::nalgebra::SVector<f64, 6>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 6> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 0>, f64>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 0>, f64> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<6>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 0>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
+        ) -> ::ffrf::nalgebra::SVector<f64, 0> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 0>,
+            gravity: &::ffrf::nalgebra::Vector3<f64>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 0>, f64> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 0>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 0>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f64, 0>, f64> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 0>,
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
-            force: &::ffrf::nalgebra::SVector<f64, 6>,
-        ) -> ::ffrf::EquationsOfMotion<0, 6, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 0>, f64> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
+    }
 
+    #[automatically_derived]
+    impl ::ffrf::Observables<f64> for RigidBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -456,7 +603,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> f64 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -475,7 +627,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -486,51 +643,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> f64 {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::DenseForms<0, 6, f64> for RigidBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 0>,
+        ) -> ::ffrf::nalgebra::SMatrix<f64, 6, 6> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 0>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 0> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<f64, 6> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::SVector<f64, 0>,
-            gravity: &::ffrf::nalgebra::Vector3<f64>,
-        ) -> ::ffrf::nalgebra::SVector<f64, 6> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
+            force: &::ffrf::nalgebra::SVector<f64, 6>,
+        ) -> ::ffrf::EquationsOfMotion<0, 6, f64> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 0, 0> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f64, 0, 0> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl ::ffrf::NamedMarkers<f64> for RigidBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<0, f64>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<f64, 0>, f64>> {
             match name {
-                "tip" => ::core::option::Option::Some(RigidBody::TIP),
-                "root" => ::core::option::Option::Some(RigidBody::ROOT),
+                "tip" => ::core::option::Option::Some(Self::TIP),
+                "root" => ::core::option::Option::Some(Self::ROOT),
                 _ => ::core::option::Option::None,
             }
         }

@@ -17,8 +17,11 @@
 //   angular_momentum     252 operations: 117 multiply, 135 add
 //   internal_force       21 operations: 12 multiply, 9 add
 //   gravity_force        45 operations: 27 multiply, 18 add
-//   stiffness_matrix     0 operations
-//   damping_matrix       0 operations
+//   modal_mass           0 operations
+//   stiffness            0 operations
+//   damping              0 operations
+//   mass                 0 operations
+//   prepare              450 operations: 234 multiply, 216 add
 
 /// Flexible body "random body with 3 modes" with 3 modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -45,29 +48,33 @@ impl SingleBody {
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0xa80de0719f9ba03d;
 
-    /// Marker `tip`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const TIP: ::ffrf::Marker<3, f32> = ::ffrf::Marker {
-        position: [0.7731163, 0.114832416, 0.084468916],
+    /// Marker `tip`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const TIP: ::ffrf::Marker<::ffrf::nalgebra::SVector<f32, 3>, f32> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([0.7731163, 0.114832416, 0.084468916]),
         translation: [
-            [0.047794007, 0.088891834, 0.28910396], [0.20809096, -0.15404056, -0.24626268],
-            [-0.18392514, -4.3648328e-5, -0.26784968],
+            ::ffrf::generated_support::vector([0.047794007, 0.20809096, -0.18392514]),
+            ::ffrf::generated_support::vector([0.088891834, -0.15404056, -4.3648328e-5]),
+            ::ffrf::generated_support::vector([0.28910396, -0.24626268, -0.26784968]),
         ],
         rotation: [
-            [0.011948502, 0.022222959, 0.07227599], [0.05202274, -0.03851014, -0.06156567],
-            [-0.045981284, -1.0912082e-5, -0.06696242],
+            ::ffrf::generated_support::vector([0.011948502, 0.05202274, -0.045981284]),
+            ::ffrf::generated_support::vector([0.022222959, -0.03851014, -1.0912082e-5]),
+            ::ffrf::generated_support::vector([0.07227599, -0.06156567, -0.06696242]),
         ],
     };
 
-    /// Marker `root`. Units: m, and per unit modal coordinate. Frame: body.
-    pub const ROOT: ::ffrf::Marker<3, f32> = ::ffrf::Marker {
-        position: [1.3605925, 0.12386952, 0.36816108],
+    /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
+    pub const ROOT: ::ffrf::Marker<::ffrf::nalgebra::SVector<f32, 3>, f32> = ::ffrf::Marker {
+        position: ::ffrf::generated_support::vector([1.3605925, 0.12386952, 0.36816108]),
         translation: [
-            [0.2220055, -0.2924955, 0.09148418], [-0.1915831, 0.037675384, 0.2313884],
-            [0.23010966, -0.007854567, 0.13618961],
+            ::ffrf::generated_support::vector([0.2220055, -0.1915831, 0.23010966]),
+            ::ffrf::generated_support::vector([-0.2924955, 0.037675384, -0.007854567]),
+            ::ffrf::generated_support::vector([0.09148418, 0.2313884, 0.13618961]),
         ],
         rotation: [
-            [0.055501375, -0.07312387, 0.022871045], [-0.047895774, 0.009418846, 0.0578471],
-            [0.057527415, -0.0019636417, 0.034047402],
+            ::ffrf::generated_support::vector([0.055501375, -0.047895774, 0.057527415]),
+            ::ffrf::generated_support::vector([-0.07312387, 0.009418846, -0.0019636417]),
+            ::ffrf::generated_support::vector([0.022871045, 0.0578471, 0.034047402]),
         ],
     };
 }
@@ -1087,13 +1094,24 @@ const _: () = {
         ]
     }
 
+    /// Modal mass Θ_ff.
+    ///
+    /// Shape: 3. Units: kg for unit modes. Frame: body.
+    /// Source: [tr T_μν].
+    /// Cost: 0 operations.
+    #[inline]
+    fn modal_mass() -> [f32; 3] {
+
+        [1.0, 1.0, 1.0]
+    }
+
     /// Modal stiffness K_ff.
     ///
     /// Shape: 3 x 3, symmetric, column by column. Units: modal force per unit modal coordinate. Frame: body.
     /// Source: Ψᵀ K Ψ.
     /// Cost: 0 operations.
     #[inline]
-    fn stiffness_matrix() -> [[f32; 3]; 3] {
+    fn stiffness() -> [[f32; 3]; 3] {
 
         [
             [41.17243, -0.6331419, -0.8200979],
@@ -1104,37 +1122,196 @@ const _: () = {
 
     /// Modal damping D_ff.
     ///
-    /// Shape: 3 x 3, symmetric, column by column. Units: modal force per unit modal rate. Frame: body.
+    /// Shape: 3. Units: modal force per unit modal rate. Frame: body.
     /// Source: the model.
     /// Cost: 0 operations.
     #[inline]
-    fn damping_matrix() -> [[f32; 3]; 3] {
+    fn damping() -> [f32; 3] {
 
-        [
-            [0.41172427, 0.0, 0.0],
-            [0.0, 0.71420616, 0.0],
-            [0.0, 0.0, 1.0087897],
-        ]
+        [0.41172427, 0.71420616, 1.0087897]
+    }
+
+    /// Mass m.
+    ///
+    /// Shape: scalar. Units: kg. Frame: body.
+    /// Source: the model.
+    /// Cost: 0 operations.
+    #[inline]
+    fn mass() -> f32 {
+
+        10.160826
+    }
+
+    /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
+    ///
+    /// Shape: scalar, 3, 3 x 3, 3 x 3, 3 x 3, 9, 3. Units: as of each. Frame: body.
+    /// Source: (204), (209), corrected.
+    /// Cost: 450 operations: 234 multiply, 216 add.
+    #[inline]
+    fn prepare(
+        q: &[f32; 3],
+        omega: &[f32; 3],
+        q_dot: &[f32; 3],
+    ) -> (f32, [f32; 3], [[f32; 3]; 3], [[f32; 3]; 3], [[f32; 3]; 3], [f32; 9], [f32; 3]) {
+        let [q0, q1, q2] = *q;
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1, q_dot2] = *q_dot;
+
+        // Deformed moments T_μ + q_ν T_νμ (129 operations: 63 multiply, 66 add)
+        let moment_trace0 = 0.47350013 + q0;
+        let moment_yy0 = -0.26172677 + 0.32991356 * q0 + 0.019734688 * q1 - 0.17056926 * q2;
+        let moment_zz0 = 0.055483196 + 0.36073673 * q0 + 0.039485604 * q1 - 0.018485274 * q2;
+        let moment_xy0 = -0.0026586622 - 0.06603624 * q0 + 0.070550494 * q1 + 0.022580642 * q2;
+        let moment_xz0 = -0.33798248 - 0.118815966 * q0 - 0.0022271625 * q1 - 0.21531953 * q2;
+        let moment_yz0 = 0.21684144 - 0.050263017 * q0 - 0.2305006 * q1 + 0.023072096 * q2;
+        let coupling_x0 = 0.4822882 + 0.05850565 * q1 + 0.12657958 * q2;
+        let coupling_y0 = 0.59443855 - 0.19366348 * q1 - 0.08698427 * q2;
+        let coupling_z0 = -0.34201223 - 0.1350381 * q1 + 0.023079813 * q2;
+        let moment_trace1 = -0.00041130907 + q1;
+        let moment_yy1 = -0.0056658876 + 0.019734688 * q0 + 0.23858802 * q1 - 0.038973756 * q2;
+        let moment_zz1 = 0.07771745 + 0.039485604 * q0 + 0.4102097 * q1 + 0.21861921 * q2;
+        let moment_xy1 = 0.007648157 + 0.070550494 * q0 - 0.31564337 * q1 + 0.26506665 * q2;
+        let moment_xz1 = -0.3787217 - 0.0022271625 * q0 + 0.116885185 * q1 - 0.11633139 * q2;
+        let moment_yz1 = -0.13060917 - 0.2305006 * q0 - 0.035975307 * q1 + 0.0016023185 * q2;
+        let coupling_x1 = 0.037451297 - 0.05850565 * q0 + 0.16740711 * q2;
+        let coupling_y1 = 0.3083738 + 0.19366348 * q0 - 0.032320656 * q2;
+        let coupling_z1 = -0.5536345 + 0.1350381 * q0 + 0.0045365617 * q2;
+        let moment_trace2 = 0.673009 + q2;
+        let moment_yy2 = 0.2680723 - 0.17056926 * q0 - 0.038973756 * q1 + 0.24402484 * q2;
+        let moment_zz2 = 0.043035872 - 0.018485274 * q0 + 0.21861921 * q1 + 0.40122226 * q2;
+        let moment_xy2 = -0.17335092 + 0.022580642 * q0 + 0.26506665 * q1 - 0.075813204 * q2;
+        let moment_xz2 = -0.17669895 - 0.21531953 * q0 - 0.11633139 * q1 - 0.016835887 * q2;
+        let moment_yz2 = -0.3747258 + 0.023072096 * q0 + 0.0016023185 * q1 - 0.009647567 * q2;
+        let coupling_x2 = -0.43081093 - 0.12657958 * q0 - 0.16740711 * q1;
+        let coupling_y2 = 0.23812205 + 0.08698427 * q0 + 0.032320656 * q1;
+        let coupling_z2 = -0.02308762 - 0.023079813 * q0 - 0.0045365617 * q1;
+
+        // Deformed first moment m r = m a + m b_μ q_μ (18 operations: 9 multiply, 9 add)
+        let first_moment_x = 6.41361 + 0.6962052 * q0 - 0.4649262 * q1 + 0.42337617 * q2;
+        let first_moment_y = -2.0212688 + 0.3785621 * q0 + 0.0741744 * q1 - 0.45901504 * q2;
+        let first_moment_z = 0.45412263 - 0.93608946 * q0 - 0.5361588 * q1 - 0.075348966 * q2;
+
+        // Deformed inertia tensor Θ_rr (60 operations: 21 multiply, 39 add)
+        let change_trace = q0 * (0.47350013 + moment_trace0) + q1 * (-0.00041130907 + moment_trace1);
+        let change_trace = change_trace + q2 * (0.673009 + moment_trace2);
+        let change_yy = q0 * (-0.26172677 + moment_yy0) + q1 * (-0.0056658876 + moment_yy1);
+        let change_yy = change_yy + q2 * (0.2680723 + moment_yy2);
+        let change_zz = q0 * (0.055483196 + moment_zz0) + q1 * (0.07771745 + moment_zz1);
+        let change_zz = change_zz + q2 * (0.043035872 + moment_zz2);
+        let change_xy = q0 * (-0.0026586622 + moment_xy0) + q1 * (0.007648157 + moment_xy1);
+        let change_xy = change_xy + q2 * (-0.17335092 + moment_xy2);
+        let change_xz = q0 * (-0.33798248 + moment_xz0) + q1 * (-0.3787217 + moment_xz1);
+        let change_xz = change_xz + q2 * (-0.17669895 + moment_xz2);
+        let change_yz = q0 * (0.21684144 + moment_yz0) + q1 * (-0.13060917 + moment_yz1);
+        let change_yz = change_yz + q2 * (-0.3747258 + moment_yz2);
+        let inertia_xx = 1.813089 + (change_yy + change_zz);
+        let inertia_yy = 6.7528944 + (change_trace - change_yy);
+        let inertia_zz = 8.02934 + (change_trace - change_zz);
+        let inertia_yz = -0.07467371 + change_yz * -0.5;
+        let inertia_xz = -0.6668763 + change_xz * -0.5;
+        let inertia_xy = 0.3309048 + change_xy * -0.5;
+
+        // Translation: ω × (ω × m r + 2 m B q̇) (39 operations: 24 multiply, 15 add)
+        let t1 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
+        let t2 = t1 * 2.0 + (omega_x * first_moment_y - omega_y * first_moment_x);
+        let t3 = 0.3785621 * q_dot0 + 0.0741744 * q_dot1 - 0.45901504 * q_dot2;
+        let t4 = t3 * 2.0 + (omega_z * first_moment_x - omega_x * first_moment_z);
+        let t5 = 0.6962052 * q_dot0 - 0.4649262 * q_dot1 + 0.42337617 * q_dot2;
+        let t6 = t5 * 2.0 + (omega_y * first_moment_z - omega_z * first_moment_y);
+
+        // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (96 operations: 54 multiply, 42 add)
+        let rate_trace = q_dot0 * moment_trace0 + q_dot1 * moment_trace1 + q_dot2 * moment_trace2;
+        let rate_yy = q_dot0 * moment_yy0 + q_dot1 * moment_yy1 + q_dot2 * moment_yy2;
+        let rate_zz = q_dot0 * moment_zz0 + q_dot1 * moment_zz1 + q_dot2 * moment_zz2;
+        let rate_xy = q_dot0 * moment_xy0 + q_dot1 * moment_xy1 + q_dot2 * moment_xy2;
+        let rate_xz = q_dot0 * moment_xz0 + q_dot1 * moment_xz1 + q_dot2 * moment_xz2;
+        let rate_yz = q_dot0 * moment_yz0 + q_dot1 * moment_yz1 + q_dot2 * moment_yz2;
+        let modal_spin_x = q_dot0 * coupling_x0 + q_dot1 * coupling_x1 + q_dot2 * coupling_x2;
+        let modal_spin_y = q_dot0 * coupling_y0 + q_dot1 * coupling_y1 + q_dot2 * coupling_y2;
+        let modal_spin_z = q_dot0 * coupling_z0 + q_dot1 * coupling_z1 + q_dot2 * coupling_z2;
+        let angular_momentum_x = omega_x * inertia_xx + omega_y * inertia_xy + omega_z * inertia_xz;
+        let angular_momentum_x = modal_spin_x + angular_momentum_x;
+        let angular_momentum_y = omega_x * inertia_xy + omega_y * inertia_yy + omega_z * inertia_yz;
+        let angular_momentum_y = modal_spin_y + angular_momentum_y;
+        let angular_momentum_z = omega_x * inertia_xz + omega_y * inertia_yz + omega_z * inertia_zz;
+        let angular_momentum_z = modal_spin_z + angular_momentum_z;
+        let t7 = omega_x * 2.0;
+        let t8 = (rate_yy + rate_zz) * t7 - omega_y * rate_xy - omega_z * rate_xz;
+        let t9 = omega_y * angular_momentum_z - omega_z * angular_momentum_y + t8;
+        let t10 = omega_y * 2.0;
+        let t11 = (rate_trace - rate_yy) * t10 - omega_x * rate_xy - omega_z * rate_yz;
+        let t12 = omega_z * angular_momentum_x - omega_x * angular_momentum_z + t11;
+        let t13 = omega_z * 2.0;
+        let t14 = (rate_trace - rate_zz) * t13 - (omega_x * rate_xz + omega_y * rate_yz);
+        let t15 = omega_x * angular_momentum_y - omega_y * angular_momentum_x + t14;
+
+        // Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν (87 operations: 51 multiply, 36 add)
+        let whirl_x0 = 0.05850565 * q_dot1 + 0.12657958 * q_dot2;
+        let whirl_y0 = -0.19366348 * q_dot1 - 0.08698427 * q_dot2;
+        let whirl_z0 = -0.1350381 * q_dot1 + 0.023079813 * q_dot2;
+        let t16 = omega_y * omega_y;
+        let t17 = omega_x * omega_x;
+        let t18 = t16 - t17;
+        let t19 = omega_z * omega_z;
+        let t20 = t16 + t19;
+        let t21 = t19 - t17;
+        let t22 = omega_x * omega_y;
+        let modal_quadratic0 = moment_yy0 * t18 - moment_trace0 * t20 + moment_zz0 * t21 + moment_xy0 * t22;
+        let t23 = omega_x * omega_z;
+        let t24 = omega_y * omega_z;
+        let modal_quadratic0 = modal_quadratic0 + moment_xz0 * t23 + moment_yz0 * t24 + t7 * whirl_x0;
+        let modal_quadratic0 = modal_quadratic0 + t10 * whirl_y0 + t13 * whirl_z0;
+        let whirl_x1 = -0.05850565 * q_dot0 + 0.16740711 * q_dot2;
+        let whirl_y1 = 0.19366348 * q_dot0 - 0.032320656 * q_dot2;
+        let whirl_z1 = 0.1350381 * q_dot0 + 0.0045365617 * q_dot2;
+        let modal_quadratic1 = moment_yy1 * t18 - moment_trace1 * t20 + moment_zz1 * t21 + moment_xy1 * t22;
+        let modal_quadratic1 = modal_quadratic1 + moment_xz1 * t23 + moment_yz1 * t24 + t7 * whirl_x1;
+        let modal_quadratic1 = modal_quadratic1 + t10 * whirl_y1 + t13 * whirl_z1;
+        let whirl_x2 = -0.12657958 * q_dot0 - 0.16740711 * q_dot1;
+        let whirl_y2 = 0.08698427 * q_dot0 + 0.032320656 * q_dot1;
+        let whirl_z2 = -0.023079813 * q_dot0 - 0.0045365617 * q_dot1;
+        let modal_quadratic2 = moment_yy2 * t18 - moment_trace2 * t20 + moment_zz2 * t21 + moment_xy2 * t22;
+        let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t23 + moment_yz2 * t24 + t7 * whirl_x2;
+        let modal_quadratic2 = modal_quadratic2 + t10 * whirl_y2 + t13 * whirl_z2;
+
+        // Elastic and damping forces K q + D q̇ (21 operations: 12 multiply, 9 add)
+        let t25 = 41.17243 * q0 - 0.6331419 * q1 - 0.8200979 * q2 + 0.41172427 * q_dot0;
+        let t26 = -0.6331419 * q0 + 71.420616 * q1 + 0.62786365 * q2 + 0.71420616 * q_dot1;
+        let t27 = -0.8200979 * q0 + 0.62786365 * q1 + 100.87896 * q2 + 1.0087897 * q_dot2;
+
+        (
+            10.160826,
+            [first_moment_x, first_moment_y, first_moment_z],
+            [
+                [inertia_xx, inertia_xy, inertia_xz],
+                [inertia_xy, inertia_yy, inertia_yz],
+                [inertia_xz, inertia_yz, inertia_zz],
+            ],
+            [
+                [0.6962052, -0.4649262, 0.42337617],
+                [0.3785621, 0.0741744, -0.45901504],
+                [-0.93608946, -0.5361588, -0.075348966],
+            ],
+            [
+                [coupling_x0, coupling_x1, coupling_x2],
+                [coupling_y0, coupling_y1, coupling_y2],
+                [coupling_z0, coupling_z1, coupling_z2],
+            ],
+            [
+                omega_y * t2 - omega_z * t4, omega_z * t6 - omega_x * t2, omega_x * t4 - omega_y * t6,
+                t9, t12, t15, modal_quadratic0, modal_quadratic1, modal_quadratic2,
+            ],
+            [t25, t26, t27],
+        )
     }
 
     #[automatically_derived]
-    impl ::ffrf::FlexibleBody<3, 9, f32> for SingleBody {
-        #[inline]
-        fn mass_matrix(
-            &self,
-            q: &::ffrf::nalgebra::Vector3<f32>,
-        ) -> ::ffrf::nalgebra::SMatrix<f32, 9, 9> {
-            support::matrix(mass_matrix(support::array(q)))
-        }
+    impl ::ffrf::FlexibleBody<f32> for SingleBody {
+        type Modal = ::ffrf::nalgebra::SVector<f32, 3>;
 
         #[inline]
-        fn quadratic_velocity(
-            &self,
-            q: &::ffrf::nalgebra::Vector3<f32>,
-            omega: &::ffrf::nalgebra::Vector3<f32>,
-            q_dot: &::ffrf::nalgebra::Vector3<f32>,
-        ) -> ::ffrf::nalgebra::SVector<f32, 9> {
-            support::vector(quadratic_velocity(support::array(q), support::array(omega), support::array(q_dot)))
+        fn undeformed(&self) -> ::ffrf::nalgebra::SVector<f32, 3> {
+            ::ffrf::nalgebra::SVector::zeros()
         }
 
         #[inline]
@@ -1143,27 +1320,92 @@ const _: () = {
             q: &::ffrf::nalgebra::Vector3<f32>,
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
-            force: &::ffrf::nalgebra::SVector<f32, 9>,
-        ) -> ::ffrf::nalgebra::SVector<f32, 9> {
-            support::vector(forward_dynamics(support::array(q), support::array(omega), support::array(q_dot), support::array(force)))
+            force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f32, 3>, f32>,
+        ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f32, 3>, f32> {
+            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(&force.to_vector::<9>()),
+            )))
         }
 
         #[inline]
-        fn equations_of_motion(
+        fn internal_force(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f32>,
+            q_dot: &::ffrf::nalgebra::Vector3<f32>,
+        ) -> ::ffrf::nalgebra::Vector3<f32> {
+            support::vector(internal_force(
+                support::array(q),
+                support::array(q_dot),
+            ))
+        }
+
+        #[inline]
+        fn gravity_force(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f32>,
+            gravity: &::ffrf::nalgebra::Vector3<f32>,
+        ) -> ::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f32, 3>, f32> {
+            ::ffrf::GeneralisedForce::from_vector(&support::vector(gravity_force(
+                support::array(q),
+                support::array(gravity),
+            )))
+        }
+
+        #[inline]
+        fn modal_mass(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f32, 3>, f32> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(modal_mass()))
+        }
+
+        #[inline]
+        fn stiffness(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f32, 3>, f32> {
+            ::ffrf::ModalMatrix::Dense(support::matrix(stiffness()))
+        }
+
+        #[inline]
+        fn damping(
+            &self,
+        ) -> ::ffrf::ModalMatrix<::ffrf::nalgebra::SVector<f32, 3>, f32> {
+            ::ffrf::ModalMatrix::Diagonal(support::vector(damping()))
+        }
+
+        #[inline]
+        fn prepare(
             &self,
             q: &::ffrf::nalgebra::Vector3<f32>,
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
-            force: &::ffrf::nalgebra::SVector<f32, 9>,
-        ) -> ::ffrf::EquationsOfMotion<3, 9, f32> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(support::array(q), support::array(omega), support::array(q_dot), support::array(force));
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
+        ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f32, 3>, f32> {
+            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            );
+            ::ffrf::Prepared {
+                mass,
+                first_moment: support::vector(first_moment),
+                inertia: support::matrix(inertia),
+                modal_first_moment: modal_first_moment.map(support::vector),
+                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                internal_force: support::vector(internal_force),
             }
         }
 
+        #[inline]
+        fn largest_stable_step(&self) -> ::core::option::Option<f32> {
+            ::core::option::Option::Some(Self::LARGEST_STABLE_STEP as f32)
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::Observables<f32> for SingleBody {
         #[inline]
         fn kinetic_energy(
             &self,
@@ -1172,7 +1414,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> f32 {
-            kinetic_energy(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot))
+            kinetic_energy(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            )
         }
 
         #[inline]
@@ -1191,7 +1438,12 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::nalgebra::Vector3<f32> {
-            support::vector(linear_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(linear_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
@@ -1202,51 +1454,80 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
         ) -> ::ffrf::nalgebra::Vector3<f32> {
-            support::vector(angular_momentum(support::array(q), support::array(velocity), support::array(omega), support::array(q_dot)))
+            support::vector(angular_momentum(
+                support::array(q),
+                support::array(velocity),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn internal_force(
+        fn mass(
+            &self,
+        ) -> f32 {
+            mass()
+        }
+    }
+
+    #[automatically_derived]
+    impl ::ffrf::DenseForms<3, 9, f32> for SingleBody {
+        #[inline]
+        fn mass_matrix(
             &self,
             q: &::ffrf::nalgebra::Vector3<f32>,
+        ) -> ::ffrf::nalgebra::SMatrix<f32, 9, 9> {
+            support::matrix(mass_matrix(support::array(q)))
+        }
+
+        #[inline]
+        fn quadratic_velocity(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f32>,
+            omega: &::ffrf::nalgebra::Vector3<f32>,
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
-        ) -> ::ffrf::nalgebra::Vector3<f32> {
-            support::vector(internal_force(support::array(q), support::array(q_dot)))
+        ) -> ::ffrf::nalgebra::SVector<f32, 9> {
+            support::vector(quadratic_velocity(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+            ))
         }
 
         #[inline]
-        fn gravity_force(
+        fn equations_of_motion(
             &self,
             q: &::ffrf::nalgebra::Vector3<f32>,
-            gravity: &::ffrf::nalgebra::Vector3<f32>,
-        ) -> ::ffrf::nalgebra::SVector<f32, 9> {
-            support::vector(gravity_force(support::array(q), support::array(gravity)))
+            omega: &::ffrf::nalgebra::Vector3<f32>,
+            q_dot: &::ffrf::nalgebra::Vector3<f32>,
+            force: &::ffrf::nalgebra::SVector<f32, 9>,
+        ) -> ::ffrf::EquationsOfMotion<3, 9, f32> {
+            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                support::array(q),
+                support::array(omega),
+                support::array(q_dot),
+                support::array(force),
+            );
+            ::ffrf::EquationsOfMotion {
+                mass_matrix: support::matrix(mass_matrix),
+                quadratic_velocity: support::vector(quadratic_velocity),
+                acceleration: support::vector(acceleration),
+            }
         }
+    }
 
-        #[inline]
-        fn stiffness_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f32, 3, 3> {
-            support::matrix(stiffness_matrix())
-        }
-
-        #[inline]
-        fn damping_matrix(
-            &self,
-        ) -> ::ffrf::nalgebra::SMatrix<f32, 3, 3> {
-            support::matrix(damping_matrix())
-        }
-
+    #[automatically_derived]
+    impl ::ffrf::NamedMarkers<f32> for SingleBody {
         #[inline]
         fn marker_names(&self) -> &'static [&'static str] {
             &["tip", "root"]
         }
 
         #[inline]
-        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<3, f32>> {
+        fn marker(&self, name: &str) -> ::core::option::Option<::ffrf::Marker<::ffrf::nalgebra::SVector<f32, 3>, f32>> {
             match name {
-                "tip" => ::core::option::Option::Some(SingleBody::TIP),
-                "root" => ::core::option::Option::Some(SingleBody::ROOT),
+                "tip" => ::core::option::Option::Some(Self::TIP),
+                "root" => ::core::option::Option::Some(Self::ROOT),
                 _ => ::core::option::Option::None,
             }
         }

@@ -9,8 +9,9 @@ use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::formulate::{State, inverse_modal_mass};
+use ffrf_codegen::invariants::{Invariant, Structure};
 use ffrf_codegen::lanes::LaneTables;
-use ffrf_codegen::layout::{Layout, Structure};
+use ffrf_codegen::layout::Layout;
 
 use crate::symbolic::{Symbolic, record};
 
@@ -120,7 +121,7 @@ pub fn fields<const M: usize, const N: usize, const G: usize>(graph: &mut Graph,
             second_moment: Symmetric::components(&matrix(&raw.second_moment)),
             position_mode_even: Some(components),
             position_mode_odd: Some(components),
-            modal_mass: match layout.modal_mass {
+            modal_mass: match layout[Invariant::ModalMass] {
                 Structure::Identity => ParameterDiagonal::Identity,
                 _ => ParameterDiagonal::Entries(traces::<_, Dense, M>(&moments)),
             },

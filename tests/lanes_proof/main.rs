@@ -24,7 +24,8 @@ mod mutants;
 mod polynomials;
 
 use ffrf_codegen::fidelity::Fidelity;
-use ffrf_codegen::layout::{Layout, Structure};
+use ffrf_codegen::invariants::{Invariant, Structure};
+use ffrf_codegen::layout::Layout;
 
 /// Layouts of all kinds; each other structure by itself.
 fn layouts() -> Vec<Layout> {
@@ -32,13 +33,16 @@ fn layouts() -> Vec<Layout> {
     for modal_mass in [Structure::Identity, Structure::Diagonal, Structure::Symmetric] {
         for base in [Layout::GENERAL, Layout::FREE_FREE] {
             for stiffness in [Structure::Zero, Structure::Diagonal, Structure::Symmetric] {
-                let base = Layout { modal_mass, stiffness, damping: stiffness, ..base };
+                let base = base
+                    .with(Invariant::ModalMass, modal_mass)
+                    .with(Invariant::Stiffness, stiffness)
+                    .with(Invariant::Damping, stiffness);
                 layouts.push(base);
-                layouts.push(Layout { first_moment: Structure::Zero, ..base });
-                layouts.push(Layout { modal_first_moment: Structure::Zero, ..base });
-                layouts.push(Layout { position_mode_moment: Structure::Zero, ..base });
-                layouts.push(Layout { position_mode_moment: Structure::Antisymmetric, ..base });
-                layouts.push(Layout { mode_mode_moment: Structure::Symmetric, ..base });
+                layouts.push(base.with(Invariant::FirstMoment, Structure::Zero));
+                layouts.push(base.with(Invariant::ModalFirstMoment, Structure::Zero));
+                layouts.push(base.with(Invariant::PositionModeMoment, Structure::Zero));
+                layouts.push(base.with(Invariant::PositionModeMoment, Structure::Antisymmetric));
+                layouts.push(base.with(Invariant::ModeModeMoment, Structure::Symmetric));
             }
         }
     }

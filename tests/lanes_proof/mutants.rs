@@ -2,7 +2,8 @@
 
 use ffrf_codegen::body::BodyExpressions;
 use ffrf_codegen::expression::Graph;
-use ffrf_codegen::layout::{Layout, Structure};
+use ffrf_codegen::invariants::{Invariant, Structure};
+use ffrf_codegen::layout::Layout;
 
 use crate::loops::whole;
 use crate::mutated::every_mutant_is_found;
@@ -10,7 +11,7 @@ use crate::mutated::every_mutant_is_found;
 #[test]
 fn any_wrong_operation_in_the_loops_breaks_the_proof() {
     for modal_mass in [Structure::Diagonal, Structure::Symmetric] {
-        let layout = Layout { modal_mass, ..Layout::GENERAL };
+        let layout = Layout::GENERAL.with(Invariant::ModalMass, modal_mass);
         let mut graph = Graph::new();
         let body = BodyExpressions::symbolic(&mut graph, 2, &layout);
         let loops = whole::<2, 8, 1, 0, 1>(&mut graph, &body);

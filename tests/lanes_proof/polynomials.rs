@@ -6,7 +6,8 @@ use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
 use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::fidelity::Fidelity;
-use ffrf_codegen::layout::{Layout, Structure};
+use ffrf_codegen::invariants::{Invariant, Structure};
+use ffrf_codegen::layout::Layout;
 use ffrf_codegen::polynomial::polynomials_of;
 
 use crate::compare::Equations;
@@ -62,8 +63,8 @@ fn loops_over_one_group_equal_the_derived_equations() {
 /// The general layout with a diagonal and with a dense Θ_ff, and the free-free one with the identity.
 fn three_layouts() -> [Layout; 3] {
     [
-        Layout { modal_mass: Structure::Diagonal, ..Layout::GENERAL },
-        Layout { modal_mass: Structure::Identity, ..Layout::FREE_FREE },
+        Layout::GENERAL.with(Invariant::ModalMass, Structure::Diagonal),
+        Layout::FREE_FREE.with(Invariant::ModalMass, Structure::Identity),
         Layout::GENERAL,
     ]
 }
@@ -86,7 +87,7 @@ fn loops_over_half_of_the_moments_equal_the_derived_equations() {
 #[test]
 fn loops_over_fields_equal_the_derived_equations() {
     fn prove<const M: usize, const N: usize, const G: usize>(modal_mass: Structure) -> usize {
-        let layout = Layout { modal_mass, ..Layout::GENERAL };
+        let layout = Layout::GENERAL.with(Invariant::ModalMass, modal_mass);
         let mut graph = Graph::new();
         let raw = raw_inertia(&mut graph, M, &layout);
         let energy = KineticEnergy::new(&mut graph, &raw);

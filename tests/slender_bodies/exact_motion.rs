@@ -3,7 +3,8 @@
 use std::fmt;
 
 use ffrf::nalgebra::{DMatrix, Vector3};
-use ffrf_codegen::formulate::KernelKind;
+use ffrf_codegen::formulate::Definition;
+use ffrf_codegen::formulate::kernels::{INTERNAL_FORCE, MASS_MATRIX, QUADRATIC_VELOCITY};
 use ffrf_codegen::{KernelInput, Kernels};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
@@ -66,13 +67,13 @@ impl ExactMotion {
         let exact = |numbers: &[f64]| -> Vec<Exact> { numbers.iter().map(|&x| Exact(rational(x))).collect() };
         let (q, q_dot, omega) = (exact(&point.q), exact(&point.q_dot), exact(&point.omega));
         let input = KernelInput { q: &q, q_dot: &q_dot, omega: &omega, ..KernelInput::default() };
-        let evaluate = |kind| -> Vec<BigRational> {
-            kernels.evaluate(kind, &input).into_iter().map(|Exact(number)| number).collect()
+        let evaluate = |kernel: &Definition| -> Vec<BigRational> {
+            kernels.evaluate(kernel, &input).into_iter().map(|Exact(number)| number).collect()
         };
-        let entries = evaluate(KernelKind::MassMatrix);
+        let entries = evaluate(&MASS_MATRIX);
         let mass: Vec<Vec<BigRational>> = entries.chunks(numbers.len()).map(<[_]>::to_vec).collect();
-        let mut bias = evaluate(KernelKind::QuadraticVelocity);
-        let internal = evaluate(KernelKind::InternalForce);
+        let mut bias = evaluate(&QUADRATIC_VELOCITY);
+        let internal = evaluate(&INTERNAL_FORCE);
         bias.iter_mut().skip(6).zip(internal).for_each(|(bias, internal)| *bias += internal);
         let force: Vec<f64> = match applied {
             Force::Any => numbers.to_vec(),

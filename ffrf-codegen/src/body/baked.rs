@@ -4,7 +4,8 @@ use ffrf_model::{Matrix3, ReducedBody};
 
 use super::{BodyExpressions, MomentComponents};
 use crate::expression::{Expression, Graph, Symmetric3};
-use crate::layout::{GramScales, Structure, found, negligible_first_moment};
+use crate::invariants::{Invariant, Structure};
+use crate::layout::{GramScales, found, negligible_first_moment};
 use crate::options::ORTHOGONALITY_TOLERANCE;
 
 impl BodyExpressions {
@@ -14,7 +15,7 @@ impl BodyExpressions {
     /// recognised. A Θ_ff found to be the identity is exactly that. `body` must have passed its shape check.
     pub fn baked(graph: &mut Graph, body: &ReducedBody, tolerance: f64) -> Self {
         let scales = GramScales::of(body);
-        let structure = found(body, tolerance).modal_mass;
+        let structure = found(body, tolerance)[Invariant::ModalMass];
         let inertia = &body.inertia;
         let modes = || 0..body.mode_count();
         let mut number = Rounding { graph, tolerance };

@@ -1,14 +1,16 @@
 //! The invariants of a body as expressions: constants where they are baked in, symbols where they come at run time.
 
 mod baked;
+mod raw;
 mod symbolic;
 
+pub use raw::{Matrix, RawInertia};
+pub(crate) use raw::{matrix, trace};
 pub use symbolic::{modal_matrix, raw_inertia};
 
-use crate::derive::{Matrix, RawInertia};
 use crate::expression::{Expression, Graph, Symmetric3, Vector};
 use crate::fidelity::{EnergyTerm, Fidelity};
-use crate::layout::Structure;
+use crate::invariants::Structure;
 
 /// A moment T^{ij} in the nine combinations that the equations use.
 ///
@@ -83,7 +85,7 @@ impl BodyExpressions {
             .position_mode_moment
             .iter()
             .map(|matrix| {
-                let trace = graph.sum([matrix[0][0], matrix[1][1], matrix[2][2]]);
+                let trace = trace(graph, matrix);
                 MomentComponents::of(graph, matrix, trace)
             })
             .collect();

@@ -1,17 +1,18 @@
 //! A body whose invariants are symbols, as far as its layout leaves them open.
 
 use super::BodyExpressions;
-use crate::derive::{Matrix, RawInertia};
-use crate::expression::{Expression, Graph, Symbol};
-use crate::layout::{Layout, Structure};
+use super::raw::{Matrix, RawInertia};
+use crate::expression::{Expression, Graph};
+use crate::invariants::{Invariant, Structure};
+use crate::layout::Layout;
 
 impl BodyExpressions {
     /// A body with symbols for what `layout` leaves open, zeros and ones for what it fixes.
     pub fn symbolic(graph: &mut Graph, mode_count: usize, layout: &Layout) -> Self {
         let raw = raw_inertia(graph, mode_count, layout);
-        let stiffness = modal_matrix(graph, mode_count, layout.stiffness, Symbol::Stiffness);
-        let damping = modal_matrix(graph, mode_count, layout.damping, Symbol::Damping);
-        Self::from_raw(graph, &raw, layout.modal_mass, stiffness, damping)
+        let stiffness = modal_matrix(graph, mode_count, layout, Invariant::Stiffness);
+        let damping = modal_matrix(graph, mode_count, layout, Invariant::Damping);
+        Self::from_raw(graph, &raw, layout[Invariant::ModalMass], stiffness, damping)
     }
 }
 
@@ -24,8 +25,8 @@ pub fn raw_inertia(graph: &mut Graph, mode_count: usize, layout: &Layout) -> Raw
     let modes = || 0..mode_count;
     let mut position_mode_moment = Vec::with_capacity(mode_count);
     for mu in modes() {
-        position_mode_moment.push(matrix(graph, layout.position_mode_moment, |graph, i, j| {
-            graph.symbol(Symbol::PositionModeMoment(mu, i, j))
+        position_mode_moment.push(matrix(graph, layout[Invariant::PositionModeMoment], |graph, i, j| {
+            graph.symbol(Invariant::PositionModeMoment.at([mu, i, j]))
         }));
     }
     let mut mode_mode_moment = Vec::with_capacity(mode_count);
@@ -34,12 +35,12 @@ pub fn raw_inertia(graph: &mut Graph, mode_count: usize, layout: &Layout) -> Raw
         let mut moments = Vec::with_capacity(mode_count);
         let mut masses = Vec::with_capacity(mode_count);
         for nu in modes() {
-            let mut moment = mode_mode_matrix(graph, mu, nu, layout.mode_mode_moment);
-            let mass = match (layout.modal_mass, mu == nu) {
+            let mut moment = mode_mode_matrix(graph, mu, nu, layout[Invariant::ModeModeMoment]);
+            let mass = match (layout[Invariant::ModalMass], mu == nu) {
                 (Structure::Identity, true) => Some(graph.one()),
                 (Structure::Identity | Structure::Diagonal, false) => Some(graph.zero()),
                 _ if layout.has_own_modal_mass() => {
-                    Some(graph.symbol(Symbol::ModalMass(mu.min(nu), mu.max(nu))))
+                    Some(graph.symbol(Invariant::ModalMass.at([mu.min(nu), mu.max(nu)])))
                 }
                 _ => None,
             };
@@ -58,19 +59,19 @@ pub fn raw_inertia(graph: &mut Graph, mode_count: usize, layout: &Layout) -> Raw
     }
     let zero = graph.zero();
     RawInertia {
-        mass: graph.symbol(Symbol::Mass),
-        first_moment: match layout.first_moment {
+        mass: graph.symbol(Invariant::Mass.at([])),
+        first_moment: match layout[Invariant::FirstMoment] {
             Structure::Zero => [zero; 3],
-            _ => [0, 1, 2].map(|i| graph.symbol(Symbol::FirstMoment(i))),
+            _ => [0, 1, 2].map(|i| graph.symbol(Invariant::FirstMoment.at([i]))),
         },
         modal_first_moment: modes()
-            .map(|mu| match layout.modal_first_moment {
+            .map(|mu| match layout[Invariant::ModalFirstMoment] {
                 Structure::Zero => [zero; 3],
-                _ => [0, 1, 2].map(|i| graph.symbol(Symbol::ModalFirstMoment(mu, i))),
+                _ => [0, 1, 2].map(|i| graph.symbol(Invariant::ModalFirstMoment.at([mu, i]))),
             })
             .collect(),
-        second_moment: matrix(graph, layout.second_moment, |graph, i, j| {
-            graph.symbol(Symbol::SecondMoment(i, j))
+        second_moment: matrix(graph, layout[Invariant::SecondMoment], |graph, i, j| {
+            graph.symbol(Invariant::SecondMoment.at([i, j]))
         }),
         position_mode_moment,
         mode_mode_moment,
@@ -78,21 +79,21 @@ pub fn raw_inertia(graph: &mut Graph, mode_count: usize, layout: &Layout) -> Raw
     }
 }
 
-/// A symmetric M x M matrix of symbols with the given structure.
+/// A symmetric M x M matrix of symbols with the structure that the layout gives `invariant`.
 pub fn modal_matrix(
     graph: &mut Graph,
     mode_count: usize,
-    structure: Structure,
-    symbol: impl Fn(usize, usize) -> Symbol,
+    layout: &Layout,
+    invariant: Invariant,
 ) -> Vec<Vec<Expression>> {
     let mut rows = Vec::with_capacity(mode_count);
     for mu in 0..mode_count {
         let mut row = Vec::with_capacity(mode_count);
         for nu in 0..mode_count {
-            row.push(match (structure, mu == nu) {
+            row.push(match (layout[invariant], mu == nu) {
                 (Structure::Zero, _) | (Structure::Identity | Structure::Diagonal, false) => graph.zero(),
                 (Structure::Identity, true) => graph.one(),
-                _ => graph.symbol(symbol(mu.min(nu), mu.max(nu))),
+                _ => graph.symbol(invariant.at([mu.min(nu), mu.max(nu)])),
             });
         }
         rows.push(row);
@@ -109,8 +110,9 @@ fn mode_mode_matrix(graph: &mut Graph, mu: usize, nu: usize, structure: Structur
         (Structure::Antisymmetric, true) => Structure::Zero,
         (structure, _) => structure,
     };
-    let upper =
-        matrix(graph, structure, |graph, i, j| graph.symbol(Symbol::ModeModeMoment(first, second, i, j)));
+    let upper = matrix(graph, structure, |graph, i, j| {
+        graph.symbol(Invariant::ModeModeMoment.at([first, second, i, j]))
+    });
     if mu > nu { [0, 1, 2].map(|i| [0, 1, 2].map(|j| upper[j][i])) } else { upper }
 }
 

@@ -1,75 +1,8 @@
 //! The kinetic energy, the single source of truth.
 
-use crate::expression::{Expression, Graph, Symbol, Vector, cross, dot, sum3};
+use crate::body::{Matrix, RawInertia, matrix, trace};
+use crate::expression::{Expression, Graph, Input, Vector, cross, dot, sum3};
 use crate::fidelity::{EnergyTerm, Fidelity};
-
-/// Rows of a 3 x 3 matrix of expressions.
-pub type Matrix = [Vector; 3];
-
-/// The raw invariants (206), (207) of a body with M modes: symbols, constants or zeros, as full matrices.
-///
-/// Frame: body, about its origin. Units: the invariants' own (kg, kg m, kg m^2 for unit modes).
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct RawInertia {
-    /// Mass m.
-    pub mass: Expression,
-    /// First moment m a. Shape: 3.
-    pub first_moment: Vector,
-    /// Modal first moments m b_μ. Shape: M x 3.
-    pub modal_first_moment: Vec<Vector>,
-    /// Second moment T^{ij} = ∫ρ xⁱ xʲ. Shape: 3 x 3, symmetric.
-    pub second_moment: Matrix,
-    /// Position-mode moments T_μ^{ij} = ∫ρ xⁱ φ_μʲ. Shape: M x 3 x 3.
-    pub position_mode_moment: Vec<Matrix>,
-    /// Mode-mode moments T_μν^{ij} = ∫ρ φ_μⁱ φ_νʲ. Shape: M x M x 3 x 3, T_νμ = T_μνᵀ.
-    pub mode_mode_moment: Vec<Vec<Matrix>>,
-    /// Modal mass Θ_ff. Shape: M x M.
-    pub modal_mass: Vec<Vec<Expression>>,
-}
-
-impl RawInertia {
-    /// Number of modes M.
-    pub fn mode_count(&self) -> usize {
-        self.modal_first_moment.len()
-    }
-
-    /// Every invariant a symbol of its own; Θ_ff = [tr T_μν].
-    pub fn dense(graph: &mut Graph, mode_count: usize) -> Self {
-        let modes = 0..mode_count;
-        let second_moment = matrix(|i, j| graph.symbol(Symbol::SecondMoment(i.min(j), i.max(j))));
-        let position_mode_moment: Vec<Matrix> = modes
-            .clone()
-            .map(|mu| matrix(|i, j| graph.symbol(Symbol::PositionModeMoment(mu, i, j))))
-            .collect();
-        let mode_mode_moment: Vec<Vec<Matrix>> = modes
-            .clone()
-            .map(|mu| modes.clone().map(|nu| matrix(|i, j| mode_mode_symbol(graph, mu, nu, i, j))).collect())
-            .collect();
-        let modal_mass =
-            mode_mode_moment.iter().map(|row| row.iter().map(|t| trace(graph, t)).collect()).collect();
-        Self {
-            mass: graph.symbol(Symbol::Mass),
-            first_moment: [0, 1, 2].map(|i| graph.symbol(Symbol::FirstMoment(i))),
-            modal_first_moment: modes
-                .map(|mu| [0, 1, 2].map(|i| graph.symbol(Symbol::ModalFirstMoment(mu, i))))
-                .collect(),
-            second_moment,
-            position_mode_moment,
-            mode_mode_moment,
-            modal_mass,
-        }
-    }
-}
-
-/// The symbol of T_μν^{ij}, the same for T_νμ^{ji}.
-fn mode_mode_symbol(graph: &mut Graph, mu: usize, nu: usize, i: usize, j: usize) -> Expression {
-    let swap = mu > nu || (mu == nu && i > j);
-    graph.symbol(if swap {
-        Symbol::ModeModeMoment(nu, mu, j, i)
-    } else {
-        Symbol::ModeModeMoment(mu, nu, i, j)
-    })
-}
 
 /// The kinetic energy as a sum of named terms.
 ///
@@ -80,14 +13,14 @@ pub struct KineticEnergy {
 }
 
 impl KineticEnergy {
-    /// Writes every term in the symbols v ([`Symbol::Velocity`]), ω ([`Symbol::AngularVelocity`]),
-    /// q ([`Symbol::Coordinate`]) and q̇ ([`Symbol::Rate`]).
+    /// Writes every term in the symbols v ([`Input::VELOCITY`]), ω ([`Input::ANGULAR_VELOCITY`]),
+    /// q ([`Input::COORDINATES`]) and q̇ ([`Input::RATES`]).
     pub fn new(graph: &mut Graph, inertia: &RawInertia) -> Self {
         let modes = 0..inertia.mode_count();
-        let v = [0, 1, 2].map(|i| graph.symbol(Symbol::Velocity(i)));
-        let omega = [0, 1, 2].map(|i| graph.symbol(Symbol::AngularVelocity(i)));
-        let q: Vec<_> = modes.clone().map(|mu| graph.symbol(Symbol::Coordinate(mu))).collect();
-        let q_dot: Vec<_> = modes.map(|mu| graph.symbol(Symbol::Rate(mu))).collect();
+        let v = [0, 1, 2].map(|i| graph.symbol(Input::VELOCITY.symbol(i)));
+        let omega = [0, 1, 2].map(|i| graph.symbol(Input::ANGULAR_VELOCITY.symbol(i)));
+        let q: Vec<_> = modes.clone().map(|mu| graph.symbol(Input::COORDINATES.symbol(mu))).collect();
+        let q_dot: Vec<_> = modes.map(|mu| graph.symbol(Input::RATES.symbol(mu))).collect();
 
         let v_squared = dot(graph, v, v);
         let translation = graph.multiply(inertia.mass, v_squared);
@@ -157,16 +90,6 @@ impl KineticEnergy {
     pub fn truncated(&self, graph: &mut Graph, fidelity: &Fidelity) -> Expression {
         graph.sum(self.terms.iter().filter(|(term, _)| fidelity.keeps(*term)).map(|(_, value)| *value))
     }
-}
-
-/// The matrix with the given entries.
-fn matrix(mut entry: impl FnMut(usize, usize) -> Expression) -> Matrix {
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)))
-}
-
-/// tr T
-fn trace(graph: &mut Graph, moment: &Matrix) -> Expression {
-    graph.sum([moment[0][0], moment[1][1], moment[2][2]])
 }
 
 /// Θ = tr(T) I - Tᵀ (207)

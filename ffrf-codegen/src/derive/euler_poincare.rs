@@ -12,7 +12,7 @@
 //! v̇ = α - ω × v every v must cancel; that is a property of E (Galilean invariance, see [`crate::fidelity`])
 //! and is proven by test, not assumed here.
 
-use crate::expression::{Expression, Graph, Symbol, Vector, cross, differentiate, dot, sum3};
+use crate::expression::{Expression, Graph, Input, Symbol, Vector, cross, differentiate, dot, sum3};
 
 /// Mass matrix and quadratic velocity vector, derived from an energy by differentiation.
 ///
@@ -33,11 +33,11 @@ impl EulerPoincare {
     /// Derives the equations of motion of a body with `mode_count` modes from its kinetic energy.
     pub fn new(graph: &mut Graph, energy: Expression, mode_count: usize) -> Self {
         let axes = [0, 1, 2];
-        let v: Vector = axes.map(|i| graph.symbol(Symbol::Velocity(i)));
-        let omega: Vector = axes.map(|i| graph.symbol(Symbol::AngularVelocity(i)));
-        let velocities: Vec<Symbol> = (axes.map(Symbol::Velocity).into_iter())
-            .chain(axes.map(Symbol::AngularVelocity))
-            .chain((0..mode_count).map(Symbol::Rate))
+        let v: Vector = axes.map(|i| graph.symbol(Input::VELOCITY.symbol(i)));
+        let omega: Vector = axes.map(|i| graph.symbol(Input::ANGULAR_VELOCITY.symbol(i)));
+        let velocities: Vec<Symbol> = [Input::VELOCITY, Input::ANGULAR_VELOCITY, Input::RATES]
+            .into_iter()
+            .flat_map(|input| input.symbols(mode_count))
             .collect();
 
         let momentum: Vec<_> =
@@ -55,8 +55,8 @@ impl EulerPoincare {
             })
             .collect();
         for mu in 0..mode_count {
-            let rate = graph.symbol(Symbol::Rate(mu));
-            let derivatives = differentiate(graph, &momentum, Symbol::Coordinate(mu));
+            let rate = graph.symbol(Input::RATES.symbol(mu));
+            let derivatives = differentiate(graph, &momentum, Input::COORDINATES.symbol(mu));
             for (sum, derivative) in quadratic_velocity.iter_mut().zip(derivatives) {
                 let product = graph.multiply(derivative, rate);
                 *sum = graph.add(*sum, product);
@@ -72,7 +72,7 @@ impl EulerPoincare {
             *sum = graph.add(*sum, bracket);
         }
         for mu in 0..mode_count {
-            for slope in differentiate(graph, &[energy], Symbol::Coordinate(mu)) {
+            for slope in differentiate(graph, &[energy], Input::COORDINATES.symbol(mu)) {
                 quadratic_velocity[6 + mu] = graph.subtract(quadratic_velocity[6 + mu], slope);
             }
         }

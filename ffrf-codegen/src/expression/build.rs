@@ -90,13 +90,14 @@ impl Graph {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Input;
     use super::*;
 
     #[test]
     fn order_of_commutative_operands_does_not_matter() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         assert_eq!(graph.add(x, y), graph.add(y, x));
         assert_eq!(graph.multiply(x, y), graph.multiply(y, x));
     }

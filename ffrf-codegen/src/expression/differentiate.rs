@@ -50,14 +50,15 @@ pub fn differentiate(graph: &mut Graph, outputs: &[Expression], symbol: Symbol) 
 
 #[cfg(test)]
 mod tests {
-    use super::super::evaluate;
+    use super::super::{Input, evaluate};
     use super::*;
+    use crate::invariants::Invariant;
 
     #[test]
     fn derivatives_agree_with_central_differences() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         let product = graph.multiply(x, y);
         let quotient = graph.divide(product, y);
         let shifted = graph.insert(Node::MultiplyAdd(quotient, x, y));
@@ -66,10 +67,10 @@ mod tests {
         let root = graph.square_root(shifted);
         let minus = graph.negate(root);
         let outputs = [difference, ratio, minus];
-        let derivatives = differentiate(&mut graph, &outputs, Symbol::Coordinate(0));
+        let derivatives = differentiate(&mut graph, &outputs, Input::COORDINATES.symbol(0));
         let at = |expressions: &[Expression], x: f64| {
             evaluate(&graph, expressions, |symbol| match symbol {
-                Symbol::Coordinate(0) => x,
+                Symbol::Input(Input::COORDINATES, 0) => x,
                 _ => 1.7,
             })
         };
@@ -86,9 +87,9 @@ mod tests {
     #[test]
     fn derivative_with_respect_to_an_absent_symbol_is_the_constant_zero() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
         let square = graph.multiply(x, x);
-        let derivative = differentiate(&mut graph, &[square], Symbol::Mass);
+        let derivative = differentiate(&mut graph, &[square], Invariant::Mass.at([]));
         assert!(graph.is_zero(derivative[0]));
     }
 }

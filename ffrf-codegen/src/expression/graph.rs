@@ -1,4 +1,4 @@
-//! The arena: nodes, handles, and what a formulation says about them (labels and sections).
+//! The arena: nodes and their handles.
 
 use std::collections::HashMap;
 
@@ -58,19 +58,10 @@ impl Node {
     }
 }
 
-/// The name of a temporary: a word, and where needed a mode number and axes.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Label(pub String);
-
 /// An arena of nodes, see the [module](super) documentation.
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    labels: Vec<Option<Label>>,
-    sections: Vec<u32>,
-    section_names: Vec<String>,
-    current_section: u32,
-    section_held: bool,
     index: HashMap<Node, Expression>,
     rounded_folds: usize,
 }
@@ -78,7 +69,7 @@ pub struct Graph {
 impl Graph {
     /// An empty graph.
     pub fn new() -> Self {
-        Self { section_names: vec![String::new()], ..Self::default() }
+        Self::default()
     }
 
     /// Number of nodes.
@@ -108,8 +99,6 @@ impl Graph {
         }
         let handle = Expression(self.nodes.len() as u32);
         self.nodes.push(node);
-        self.labels.push(None);
-        self.sections.push(self.current_section);
         self.index.insert(node, handle);
         handle
     }
@@ -127,53 +116,6 @@ impl Graph {
         self.constant_value(expression) == Some(0.0)
     }
 
-    /// Names a temporary. The first name stays; constants, symbols and changes of sign take none.
-    pub fn label(&mut self, expression: Expression, name: impl Into<String>) -> Expression {
-        if self.node(expression).is_operation() {
-            self.labels[expression.index()].get_or_insert_with(|| Label(name.into()));
-        }
-        expression
-    }
-
-    /// The name of a temporary, if it has one.
-    pub fn label_of(&self, expression: Expression) -> Option<&Label> {
-        self.labels[expression.index()].as_ref()
-    }
-
-    /// Opens a section: nodes inserted from now on belong to it. Nothing happens while a section is held.
-    ///
-    /// A section must not be opened again once a later one has nodes: the emitter prints sections one after another.
-    pub fn section(&mut self, name: &str) {
-        if self.section_held {
-            return;
-        }
-        let position = self.section_names.iter().position(|known| known == name);
-        self.current_section = match position {
-            Some(position) => position as u32,
-            None => {
-                self.section_names.push(name.to_owned());
-                (self.section_names.len() - 1) as u32
-            }
-        };
-    }
-
-    /// Opens a section and keeps it open, for formulations that are used once more as a part of another, until
-    /// [`Graph::release_section`].
-    pub fn hold_section(&mut self, name: &str) {
-        self.section(name);
-        self.section_held = true;
-    }
-
-    /// Lets sections be opened again.
-    pub fn release_section(&mut self) {
-        self.section_held = false;
-    }
-
-    /// Name of the section that a node belongs to; empty if none was opened.
-    pub fn section_of(&self, expression: Expression) -> &str {
-        &self.section_names[self.sections[expression.index()] as usize]
-    }
-
     /// How many foldings of constants had to round. Zero for graphs over small whole numbers.
     pub fn rounded_folds(&self) -> usize {
         self.rounded_folds
@@ -186,13 +128,15 @@ impl Graph {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Input;
     use super::*;
+    use crate::invariants::Invariant;
 
     #[test]
     fn equal_nodes_are_one_node() {
         let mut graph = Graph::new();
-        let x = graph.insert(Node::Symbol(Symbol::Mass));
-        let y = graph.insert(Node::Symbol(Symbol::Mass));
+        let x = graph.insert(Node::Symbol(Invariant::Mass.at([])));
+        let y = graph.insert(Node::Symbol(Invariant::Mass.at([])));
         assert_eq!(x, y);
         assert_eq!(graph.len(), 1);
     }
@@ -200,28 +144,13 @@ mod tests {
     #[test]
     fn operands_stand_before_their_node() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         let product = graph.multiply(x, y);
         let sum = graph.add(product, x);
         graph.square_root(sum);
         for (handle, node) in graph.nodes() {
             assert!(node.operands().all(|operand| operand < handle));
         }
-    }
-
-    #[test]
-    fn sections_and_labels_stay_with_their_nodes() {
-        let mut graph = Graph::new();
-        graph.section("first");
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let square = graph.multiply(x, x);
-        graph.section("second");
-        graph.label(square, "square");
-        graph.label(x, "never");
-        let again = graph.multiply(x, x);
-        assert_eq!(graph.section_of(again), "first");
-        assert_eq!(graph.label_of(again), Some(&Label("square".to_owned())));
-        assert_eq!(graph.label_of(x), None);
     }
 }

@@ -86,13 +86,15 @@ impl Graph {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Input;
     use super::*;
+    use crate::invariants::Invariant;
 
     #[test]
     fn every_operation_has_its_value() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         let outputs = [
             graph.negate(x),
             graph.add(x, y),
@@ -103,7 +105,7 @@ mod tests {
             graph.square_root(y),
         ];
         let values = evaluate(&graph, &outputs, |symbol| match symbol {
-            Symbol::Coordinate(0) => 3.0,
+            Symbol::Input(Input::COORDINATES, 0) => 3.0,
             _ => 4.0,
         });
         assert_eq!(values, [-3.0, 7.0, -1.0, 12.0, 16.0, 0.75, 2.0]);
@@ -114,12 +116,12 @@ mod tests {
     #[test]
     fn what_no_output_needs_is_not_asked_for() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        graph.symbol(Symbol::Mass);
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        graph.symbol(Invariant::Mass.at([]));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         let sum = graph.add(x, y);
         let values = evaluate(&graph, &[sum], |symbol| {
-            assert_ne!(symbol, Symbol::Mass);
+            assert_ne!(symbol, Invariant::Mass.at([]));
             1.0
         });
         assert_eq!(values, [2.0]);

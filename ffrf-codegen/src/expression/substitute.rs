@@ -37,18 +37,20 @@ pub fn substitute(
 
 #[cfg(test)]
 mod tests {
+    use super::super::Input;
     use super::*;
 
     #[test]
     fn symbols_are_replaced_everywhere_and_the_result_folds() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         let product = graph.multiply(x, y);
         let sum = graph.add(product, x);
         let minus_y = graph.negate(y);
         let zero = graph.zero();
-        let replaced = |with| move |symbol| if symbol == Symbol::Coordinate(0) { Some(with) } else { None };
+        let replaced =
+            |with| move |symbol| if symbol == Input::COORDINATES.symbol(0) { Some(with) } else { None };
         assert_eq!(substitute(&mut graph, &[sum], replaced(zero)), [zero]);
         let square = graph.multiply(y, y);
         let expected = graph.add(square, y);
@@ -56,8 +58,8 @@ mod tests {
         assert_eq!(substitute(&mut graph, &[sum], replaced(minus_y)), [expected]);
         // symbols swap: replacements are not searched again
         let swapped = substitute(&mut graph, &[sum], |symbol| match symbol {
-            Symbol::Coordinate(0) => Some(y),
-            Symbol::Coordinate(1) => Some(x),
+            Symbol::Input(Input::COORDINATES, 0) => Some(y),
+            Symbol::Input(Input::COORDINATES, 1) => Some(x),
             _ => None,
         });
         assert_eq!(swapped, [graph.add(product, y)]);

@@ -1,41 +1,19 @@
 //! Symbols: the inputs of an expression, named by what they are.
 
-/// An input of an expression. Indices count from 0; `mu`, `nu` number modes, `i`, `j` axes x, y, z.
+use super::input::{AXES, Input};
+use crate::invariants::Invariant;
+
+/// Indices of an entry of an invariant, modes first, then axes; the rest is zero.
+pub type Indices = [usize; 4];
+
+/// An input of an expression. Indices count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Symbol {
-    /// Modal coordinate q_μ.
-    Coordinate(usize),
-    /// Rate of a modal coordinate, q̇_μ.
-    Rate(usize),
-    /// Angular velocity of the body frame ω_i, body-resolved. Units: rad/s.
-    AngularVelocity(usize),
-    /// Velocity of the frame origin v_i, body-resolved. Units: m/s.
-    Velocity(usize),
-    /// Generalised force: 0..3 force, 3..6 moment, then modal forces.
-    Force(usize),
-    /// Acceleration, numbered as the generalised force.
-    Acceleration(usize),
-    /// Uniform gravity g_i, body-resolved. Units: m/s^2.
-    Gravity(usize),
-    /// Mass m.
-    Mass,
-    /// First moment (m a)_i.
-    FirstMoment(usize),
-    /// Modal first moment (m b_μ)_i.
-    ModalFirstMoment(usize, usize),
-    /// Second moment T^{ij}, i <= j.
-    SecondMoment(usize, usize),
-    /// Position-mode moment T_μ^{ij}.
-    PositionModeMoment(usize, usize, usize),
-    /// Mode-mode moment T_μν^{ij}, μ <= ν (and i <= j where μ = ν).
-    ModeModeMoment(usize, usize, usize, usize),
-    /// Modal mass Θ_ff,μν, μ <= ν.
-    ModalMass(usize, usize),
-    /// Modal stiffness K_ff,μν, μ <= ν.
-    Stiffness(usize, usize),
-    /// Modal damping D_ff,μν, μ <= ν.
-    Damping(usize, usize),
+    /// An entry of an input of the kernel.
+    Input(Input, usize),
+    /// An entry of an invariant of the body. Of a symmetric one the entry with ascending indices; T_μν where μ <= ν.
+    Parameter(Invariant, Indices),
     /// A value computed elsewhere: number `1` of the group `0`.
     Intermediate(&'static str, usize),
 }
@@ -43,54 +21,76 @@ pub enum Symbol {
 impl Symbol {
     /// Whether the symbol is an invariant of the body, not a part of its state.
     pub fn is_parameter(self) -> bool {
-        matches!(
-            self,
-            Self::Mass
-                | Self::FirstMoment(..)
-                | Self::ModalFirstMoment(..)
-                | Self::SecondMoment(..)
-                | Self::PositionModeMoment(..)
-                | Self::ModeModeMoment(..)
-                | Self::ModalMass(..)
-                | Self::Stiffness(..)
-                | Self::Damping(..)
-        )
+        matches!(self, Self::Parameter(..))
     }
 }
 
-/// Names of the three axes.
-pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+impl Input {
+    /// The symbol of entry `k`.
+    pub const fn symbol(self, k: usize) -> Symbol {
+        Symbol::Input(self, k)
+    }
+
+    /// The symbols of all entries.
+    pub fn symbols(self, mode_count: usize) -> impl Iterator<Item = Symbol> {
+        (0..self.size(mode_count)).map(move |k| self.symbol(k))
+    }
+}
+
+impl Invariant {
+    /// The symbol of an entry, by as many indices as the invariant has.
+    pub fn at<const R: usize>(self, indices: [usize; R]) -> Symbol {
+        debug_assert_eq!(R, self.description().rank(), "indices of {}", self.name());
+        let mut all = [0; 4];
+        for (index, given) in all.iter_mut().zip(indices) {
+            *index = given;
+        }
+        Symbol::Parameter(self, all)
+    }
+}
 
 impl core::fmt::Display for Symbol {
     /// A name that is a Rust identifier, unique for each symbol.
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        let axis = |i: usize| AXES.get(i).copied().unwrap_or("unknown");
-        match *self {
-            Self::Coordinate(mu) => write!(f, "q{mu}"),
-            Self::Rate(mu) => write!(f, "q_dot{mu}"),
-            Self::AngularVelocity(i) => write!(f, "omega_{}", axis(i)),
-            Self::Velocity(i) => write!(f, "velocity_{}", axis(i)),
-            Self::Force(k) if k < 3 => write!(f, "force_{}", axis(k)),
-            Self::Force(k) if k < 6 => write!(f, "moment_{}", axis(k - 3)),
-            Self::Force(k) => write!(f, "modal_force{}", k - 6),
-            Self::Acceleration(k) if k < 3 => write!(f, "acceleration_{}", axis(k)),
-            Self::Acceleration(k) if k < 6 => write!(f, "angular_acceleration_{}", axis(k - 3)),
-            Self::Acceleration(k) => write!(f, "modal_acceleration{}", k - 6),
-            Self::Gravity(i) => write!(f, "gravity_{}", axis(i)),
-            Self::Mass => write!(f, "mass"),
-            Self::FirstMoment(i) => write!(f, "first_moment_{}", axis(i)),
-            Self::ModalFirstMoment(mu, i) => write!(f, "modal_first_moment{mu}_{}", axis(i)),
-            Self::SecondMoment(i, j) => write!(f, "second_moment_{}{}", axis(i), axis(j)),
-            Self::PositionModeMoment(mu, i, j) => {
-                write!(f, "position_mode_moment{mu}_{}{}", axis(i), axis(j))
+        match self {
+            Self::Input(input, k) => input.write_entry(f, *k),
+            Self::Parameter(invariant, indices) => {
+                let description = invariant.description();
+                f.write_str(description.name)?;
+                let (modes, rest) = indices.split_at(description.modes);
+                for (position, mode) in modes.iter().enumerate() {
+                    write!(f, "{}{mode}", if position == 0 { "" } else { "_" })?;
+                }
+                for (position, axis) in rest.iter().take(description.axes).enumerate() {
+                    let separator = if position == 0 { "_" } else { "" };
+                    write!(f, "{separator}{}", AXES.get(*axis).copied().unwrap_or("unknown"))?;
+                }
+                Ok(())
             }
-            Self::ModeModeMoment(mu, nu, i, j) => {
-                write!(f, "mode_mode_moment{mu}_{nu}_{}{}", axis(i), axis(j))
-            }
-            Self::ModalMass(mu, nu) => write!(f, "modal_mass{mu}_{nu}"),
-            Self::Stiffness(mu, nu) => write!(f, "stiffness{mu}_{nu}"),
-            Self::Damping(mu, nu) => write!(f, "damping{mu}_{nu}"),
             Self::Intermediate(group, k) => write!(f, "{group}{k}"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_say_which_entry_it_is() {
+        for (symbol, name) in [
+            (Input::COORDINATES.symbol(11), "q11"),
+            (Input::ANGULAR_VELOCITY.symbol(2), "omega_z"),
+            (Input::FORCE.symbol(1), "force_y"),
+            (Input::FORCE.symbol(5), "moment_z"),
+            (Input::ACCELERATION.symbol(8), "modal_acceleration2"),
+            (Invariant::Mass.at([]), "mass"),
+            (Invariant::FirstMoment.at([0]), "first_moment_x"),
+            (Invariant::ModalFirstMoment.at([4, 1]), "modal_first_moment4_y"),
+            (Invariant::ModeModeMoment.at([1, 12, 0, 2]), "mode_mode_moment1_12_xz"),
+            (Invariant::Damping.at([0, 3]), "damping0_3"),
+        ] {
+            assert_eq!(symbol.to_string(), name);
         }
     }
 }

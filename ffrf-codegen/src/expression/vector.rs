@@ -58,20 +58,20 @@ pub fn symmetric_times(graph: &mut Graph, matrix: &Symmetric3, a: Vector) -> Vec
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Symbol, evaluate};
+    use super::super::{Input, Symbol, evaluate};
     use super::*;
 
     #[test]
     fn cross_product_and_symmetric_product_have_their_usual_values() {
         let mut graph = Graph::new();
-        let a = [0, 1, 2].map(|i| graph.symbol(Symbol::Velocity(i)));
-        let b = [0, 1, 2].map(|i| graph.symbol(Symbol::AngularVelocity(i)));
+        let a = [0, 1, 2].map(|i| graph.symbol(Input::VELOCITY.symbol(i)));
+        let b = [0, 1, 2].map(|i| graph.symbol(Input::ANGULAR_VELOCITY.symbol(i)));
         let c = cross(&mut graph, a, b);
         let matrix = Symmetric3 { diagonal: a, off_diagonal: b };
         let product = symmetric_times(&mut graph, &matrix, a);
         let value = |symbol| match symbol {
-            Symbol::Velocity(i) => [1.0, 2.0, 3.0][i],
-            Symbol::AngularVelocity(i) => [5.0, 7.0, 11.0][i],
+            Symbol::Input(Input::VELOCITY, i) => [1.0, 2.0, 3.0][i],
+            Symbol::Input(Input::ANGULAR_VELOCITY, i) => [5.0, 7.0, 11.0][i],
             _ => f64::NAN,
         };
         assert_eq!(evaluate(&graph, &c, value), [22.0 - 21.0, 15.0 - 11.0, 7.0 - 10.0]);

@@ -1,5 +1,6 @@
 //! Inverses of symmetric positive definite 3 x 3 matrices.
 
+use super::Draft;
 use super::modal_mass::minus_products;
 use crate::expression::{Expression, Graph, Symmetric3, Vector, dot};
 
@@ -16,7 +17,7 @@ use crate::expression::{Expression, Graph, Symmetric3, Vector, dot};
 /// error is in all directions and the equations are left with a residual of 1e-8 of their terms, while a factorisation
 /// leaves 1e-16 and keeps 1e-12 across the long axis. The cure is a frame along the body.
 /// Figures: `tests/slender_bodies` of the facade.
-pub(super) fn inverse_by_cofactors(graph: &mut Graph, matrix: &Symmetric3) -> Symmetric3 {
+pub(super) fn inverse_by_cofactors(graph: &mut Draft, matrix: &Symmetric3) -> Symmetric3 {
     let one = graph.one();
     if matrix.off_diagonal.iter().all(|&entry| graph.is_zero(entry)) {
         return Symmetric3 {
@@ -102,7 +103,7 @@ mod tests {
 
     #[test]
     fn both_inverses_times_the_matrix_are_the_identity() {
-        let mut graph = Graph::new();
+        let mut graph = Draft::default();
         let matrix = constants(&mut graph);
         let (by_factors, pivots) = inverse_by_factors(&mut graph, &matrix);
         let by_cofactors = inverse_by_cofactors(&mut graph, &matrix);
@@ -124,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_diagonal_matrix_is_inverted_without_cofactors() {
-        let mut graph = Graph::new();
+        let mut graph = Draft::default();
         let mut matrix = constants(&mut graph);
         matrix.off_diagonal = [graph.zero(); 3];
         let inverse = inverse_by_cofactors(&mut graph, &matrix);

@@ -1,13 +1,13 @@
 //! Energies, momenta, internal forces and gravity.
 
 use super::structured::moment_sum;
-use super::{DeformedBody, State};
+use super::{DeformedBody, Draft, State};
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph, Vector, cross, dot, sum3, symmetric_times};
 
 /// Kinetic energy E. Units: J. Source: MATH.md, kinetic energy.
 pub fn kinetic_energy(
-    graph: &mut Graph,
+    graph: &mut Draft,
     body: &BodyExpressions,
     state: &State,
     deformed: &DeformedBody,
@@ -33,7 +33,7 @@ pub fn kinetic_energy(
 }
 
 /// Elastic energy ½ qᵀ K q. Units: J.
-pub fn elastic_energy(graph: &mut Graph, body: &BodyExpressions, state: &State) -> Expression {
+pub fn elastic_energy(graph: &mut Draft, body: &BodyExpressions, state: &State) -> Expression {
     graph.section("Elastic energy");
     let zero = graph.zero();
     let mut twice = zero;
@@ -80,7 +80,7 @@ pub fn internal_force(graph: &mut Graph, body: &BodyExpressions, state: &State) 
 
 /// Generalised force of uniform gravity g: [m g; m r × g; m b_μ · g]. Shape: N. Frame: body.
 pub fn gravity_force(
-    graph: &mut Graph,
+    graph: &mut Draft,
     body: &BodyExpressions,
     state: &State,
     deformed: &DeformedBody,

@@ -4,7 +4,7 @@ use super::inverse::{inverse_by_cofactors, inverse_by_factors};
 use super::modal_mass::{ModalMass, Prepared, minus_products};
 use super::pivot::{BadPivot, bad_pivot};
 use super::structured::label3;
-use super::{DeformedBody, State, internal_force};
+use super::{DeformedBody, Draft, State, internal_force};
 use crate::CodegenError;
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3, symmetric_times};
@@ -17,7 +17,7 @@ use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3, symmetri
 /// Errors: [`CodegenError::RepeatedModes`] or [`CodegenError::DependentModes`] if Θ_ff or the reduced mass is a constant
 /// that is not positive definite.
 pub fn forward_dynamics(
-    graph: &mut Graph,
+    graph: &mut Draft,
     body: &BodyExpressions,
     state: &State,
     deformed: &DeformedBody,

@@ -1,6 +1,6 @@
 //! The state of a body: the inputs of its kernels.
 
-use crate::expression::{Expression, Graph, Symbol, Vector};
+use crate::expression::{Expression, Graph, Input, Vector};
 
 /// The inputs of the kernels as symbols of one graph.
 #[derive(Debug, Clone)]
@@ -22,20 +22,18 @@ pub struct State {
 impl State {
     /// The symbols of a body with `mode_count` modes.
     pub fn symbolic(graph: &mut Graph, mode_count: usize) -> Self {
-        let mut list = |count: usize, symbol: fn(usize) -> Symbol| -> Vec<Expression> {
-            (0..count).map(|k| graph.symbol(symbol(k))).collect()
+        let mut list = |input: Input| -> Vec<Expression> {
+            input.symbols(mode_count).map(|symbol| graph.symbol(symbol)).collect()
         };
-        let q = list(mode_count, Symbol::Coordinate);
-        let q_dot = list(mode_count, Symbol::Rate);
-        let force = list(6 + mode_count, Symbol::Force);
-        let mut vector = |symbol: fn(usize) -> Symbol| [0, 1, 2].map(|i| graph.symbol(symbol(i)));
+        let [q, q_dot, force] = [Input::COORDINATES, Input::RATES, Input::FORCE].map(&mut list);
+        let mut vector = |input: Input| [0, 1, 2].map(|i| graph.symbol(input.symbol(i)));
         Self {
             q,
             q_dot,
-            omega: vector(Symbol::AngularVelocity),
-            velocity: vector(Symbol::Velocity),
+            omega: vector(Input::ANGULAR_VELOCITY),
+            velocity: vector(Input::VELOCITY),
             force,
-            gravity: vector(Symbol::Gravity),
+            gravity: vector(Input::GRAVITY),
         }
     }
 }

@@ -4,10 +4,9 @@
 //! components of [`MomentComponents`]. For mass matrix and quadratic velocity vector together that is
 //! 11 M² + O(M) fused multiply-adds if Θ_ff is diagonal: eight components of q_ν T_νμ, and three of q̇_ν ϑ_νμ.
 
-use super::State;
+use super::{Draft, State};
 use crate::body::{BodyExpressions, MomentComponents};
-use crate::expression::symbol::AXES;
-use crate::expression::{Expression, Graph, Symmetric3, Vector, cross, negate3, sum3, symmetric_times};
+use crate::expression::{AXES, Expression, Graph, Symmetric3, Vector, cross, negate3, sum3, symmetric_times};
 
 /// Names of the even components in generated code.
 const EVEN_NAMES: [&str; 6] = ["trace", "yy", "zz", "xy", "xz", "yz"];
@@ -25,7 +24,7 @@ pub struct DeformedBody {
 
 impl DeformedBody {
     /// Writes the deformed invariants into the graph. Nothing that is not used later costs anything.
-    pub fn new(graph: &mut Graph, body: &BodyExpressions, state: &State) -> Self {
+    pub fn new(graph: &mut Draft, body: &BodyExpressions, state: &State) -> Self {
         graph.section("Deformed moments T_μ + q_ν T_νμ");
         let moments = deformed_moments(graph, body, &state.q);
         graph.section("Deformed first moment m r = m a + m b_μ q_μ");
@@ -59,7 +58,7 @@ pub(super) fn moment_sum(
     })
 }
 
-fn deformed_moments(graph: &mut Graph, body: &BodyExpressions, q: &[Expression]) -> Vec<MomentComponents> {
+fn deformed_moments(graph: &mut Draft, body: &BodyExpressions, q: &[Expression]) -> Vec<MomentComponents> {
     let mut moments = body.position_mode.clone();
     for (mu, moment) in moments.iter_mut().enumerate() {
         for component in 0..6 {
@@ -78,7 +77,7 @@ fn deformed_moments(graph: &mut Graph, body: &BodyExpressions, q: &[Expression])
 
 /// Θ_rr = Θ + q_μ (Θ_μ + Θ_μᵀ) + q_μ q_ν Θ_μν, from Σ q_μ (T_μ + T_μ^d).
 fn deformed_inertia(
-    graph: &mut Graph,
+    graph: &mut Draft,
     body: &BodyExpressions,
     moments: &[MomentComponents],
     q: &[Expression],
@@ -159,7 +158,7 @@ pub fn mass_matrix(
 ///
 /// Source: (209), signs and index order corrected; see MATH.md.
 pub fn quadratic_velocity(
-    graph: &mut Graph,
+    graph: &mut Draft,
     body: &BodyExpressions,
     state: &State,
     deformed: &DeformedBody,
@@ -227,7 +226,7 @@ fn spin_weights(graph: &mut Graph, [x, y, z]: Vector) -> [Expression; 6] {
     ]
 }
 
-pub(super) fn label3(graph: &mut Graph, vector: Vector, name: &str) {
+pub(super) fn label3(graph: &mut Draft, vector: Vector, name: &str) {
     for (component, axis) in vector.into_iter().zip(AXES) {
         graph.label(component, format!("{name}_{axis}"));
     }

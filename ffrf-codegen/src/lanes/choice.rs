@@ -1,28 +1,69 @@
-//! Which strategy a body gets.
+//! What the loops of a body read, if its strategy is loops.
 
 use ffrf_model::ReducedBody;
 
 use super::LaneTables;
 use super::compliance::translation_compliance;
+use super::parameters::{self, LaneParameters};
+use super::strategy::in_lanes;
 use crate::body::BodyExpressions;
 use crate::expression::Graph;
 use crate::formulate::inverse_modal_mass;
-use crate::options::Strategy;
-use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions};
-
-/// From this number of modes on, lanes are chosen. Measured, see benches/kernels.md.
-const LANES_FROM: usize = 7;
+use crate::layout::Layout;
+use crate::prepare::prepare;
+use crate::{CodegenError, GenerateOptions, ScalarType};
 
 /// The tables in the code that [`generate`](crate::generate) makes of a body; `None` if that code is straight-line.
 ///
 /// Whoever runs the loops of the runtime over them computes what the generated code computes.
 /// Errors: as those of `generate`.
 pub fn tables_of(body: &ReducedBody, options: &GenerateOptions) -> Result<Option<LaneTables>, CodegenError> {
-    let body = crate::prepare(body, options)?;
+    let body = prepare(body, options)?;
     let mut graph = Graph::new();
     let expressions = BodyExpressions::baked(&mut graph, &body, options.layout_tolerance)
         .truncated(&mut graph, &options.fidelity);
-    choose(&mut graph, &expressions, options)
+    choose_tables(&mut graph, &expressions, options)
+}
+
+/// What the loops of a body read.
+#[derive(Debug, Clone)]
+pub(crate) enum Lanes {
+    /// Constant tables.
+    Tables(Box<LaneTables>),
+    /// Fields.
+    Parameters(LaneParameters),
+}
+
+impl Lanes {
+    /// The tables of a body of constants if it is to be computed in lanes, `None` for straight-line code.
+    ///
+    /// Errors: as those of [`tables_of`].
+    pub(crate) fn of_constants(
+        graph: &mut Graph,
+        body: &BodyExpressions,
+        options: &GenerateOptions,
+    ) -> Result<Option<Self>, CodegenError> {
+        Ok(choose_tables(graph, body, options)?.map(|tables| Self::Tables(Box::new(tables))))
+    }
+
+    /// The same for a body whose invariants come at run time.
+    ///
+    /// Errors: lanes were demanded where they cannot be had.
+    pub(crate) fn of_parameters(
+        modes: usize,
+        layout: &Layout,
+        options: &GenerateOptions,
+    ) -> Result<Option<Self>, CodegenError> {
+        Ok(parameters::choose(modes, layout, options)?.map(Self::Parameters))
+    }
+
+    /// The strategy in words, for the banner.
+    pub(crate) fn description(&self, scalar: ScalarType) -> String {
+        match self {
+            Self::Tables(tables) => tables.description(scalar),
+            Self::Parameters(parameters) => parameters.description(),
+        }
+    }
 }
 
 /// The tables if the body is to be computed in lanes, `None` for straight-line code.
@@ -30,7 +71,7 @@ pub fn tables_of(body: &ReducedBody, options: &GenerateOptions) -> Result<Option
 /// Lanes need at least one mode, and leave the contraction of products and sums to the target.
 /// Errors: lanes were demanded where they cannot be had, the modes depend on each other, or they contain rigid-body
 /// motion.
-pub(crate) fn choose(
+fn choose_tables(
     graph: &mut Graph,
     body: &BodyExpressions,
     options: &GenerateOptions,
@@ -39,31 +80,6 @@ pub(crate) fn choose(
         tables(graph, body, options).map(Some)
     } else {
         Ok(None)
-    }
-}
-
-/// Whether a body is to be computed in lanes; `obstacle` is what stands in the way besides its size and the options.
-///
-/// Errors: lanes were demanded where they cannot be had.
-pub(super) fn in_lanes(
-    modes: usize,
-    obstacle: Option<&'static str>,
-    options: &GenerateOptions,
-) -> Result<bool, CodegenError> {
-    let obstacle = if modes == 0 {
-        Some("a body without modes has no lanes")
-    } else if obstacle.is_some() {
-        obstacle
-    } else if options.fused_multiply_add != FusedMultiplyAdd::Auto {
-        Some("they contract products and sums where the target does (fma: auto)")
-    } else {
-        None
-    };
-    match (options.strategy, obstacle) {
-        (Strategy::Lanes, Some(reason)) => Err(CodegenError::NoLanes { reason }),
-        (Strategy::Lanes, None) => Ok(true),
-        (Strategy::StraightLine, _) | (Strategy::Auto, Some(_)) => Ok(false),
-        (Strategy::Auto, None) => Ok(modes >= LANES_FROM),
     }
 }
 

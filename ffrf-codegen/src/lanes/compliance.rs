@@ -1,9 +1,9 @@
 //! The inverse of the mass that the modes leave for translation.
 
+use super::table::number;
 use crate::CodegenError;
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph};
-use crate::lanes::table::number;
 
 /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹ of a body of constants: xx, yy, zz, xy, xz, yz. Units: 1/kg.
 ///

@@ -1,24 +1,21 @@
 //! The strategy for many modes: the loops of `ffrf_runtime::lanes` instead of statements, over constant tables or over
-//! the fields of a body whose invariants come at run time.
+//! the fields of a body whose invariants come at run time. Here is what the loops read; the text is made in `emit`.
 //!
 //! ```text
-//! BodyExpressions (constants) --choose--> LaneTables --text--> static items and one-line functions
+//! BodyExpressions (constants) --choice--> LaneTables --emit--> static items and one-line functions
 //! ```
 
 mod choice;
 mod compliance;
-mod kernels_text;
 mod moment_tables;
 mod parameters;
+mod strategy;
 mod table;
 mod tables;
-mod text;
 
-pub(crate) use choice::choose;
+pub(crate) use choice::Lanes;
 pub use choice::tables_of;
 pub use moment_tables::MomentTables;
-pub(crate) use parameters::{LaneParameters, choose_parameters};
+pub(crate) use parameters::LaneParameters;
 pub use table::{ModalMatrix, Table};
 pub use tables::LaneTables;
-pub use text::IN_LANES;
-pub(crate) use text::{functions, trait_method};

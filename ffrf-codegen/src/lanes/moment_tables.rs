@@ -1,6 +1,6 @@
 //! The moments T_νμ in the order in which the loops read them.
 
-use super::Table;
+use super::table::Table;
 use crate::ScalarType;
 use crate::expression::{Expression, Graph};
 

@@ -1,93 +1,52 @@
 //! A layout: one structure per invariant.
 
-use super::Structure;
+use std::ops::{Index, IndexMut};
+
 use crate::CodegenError;
 use crate::fidelity::{EnergyTerm, Fidelity};
+use crate::invariants::{Invariant, Structure};
 
-/// The structure of each invariant.
+/// The structure of each invariant: `layout[Invariant::Stiffness]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
-    /// First moment m a: zero (frame at the centre of mass) or dense.
-    pub first_moment: Structure,
-    /// Modal first moments m b_μ: zero (free-free modes) or dense.
-    pub modal_first_moment: Structure,
-    /// Second moment T: diagonal (principal axes) or symmetric.
-    pub second_moment: Structure,
-    /// Position-mode moments T_μ: symmetric means Ξ = `[ϑ_μ]` = 0 (free-free modes).
-    pub position_mode_moment: Structure,
-    /// Mode-mode moments T_μν: symmetric means ϑ_μν = 0.
-    pub mode_mode_moment: Structure,
-    /// Modal mass Θ_ff: identity (mass-normalised modes), diagonal or symmetric.
-    pub modal_mass: Structure,
-    /// Modal stiffness K_ff: zero, diagonal (eigenmodes) or symmetric.
-    pub stiffness: Structure,
-    /// Modal damping D_ff: zero, diagonal or symmetric.
-    pub damping: Structure,
+    structures: [Structure; Invariant::ALL.len()],
 }
-
-use Structure::{Antisymmetric, Dense, Diagonal, Identity, Symmetric, Zero};
 
 impl Layout {
     /// Nothing is known: every invariant as general as it can be.
-    pub const GENERAL: Self = Self {
-        first_moment: Dense,
-        modal_first_moment: Dense,
-        second_moment: Symmetric,
-        position_mode_moment: Dense,
-        mode_mode_moment: Dense,
-        modal_mass: Symmetric,
-        stiffness: Symmetric,
-        damping: Symmetric,
+    pub const GENERAL: Self = {
+        let mut structures = [Structure::Dense; Invariant::ALL.len()];
+        let mut k = 0;
+        while k < structures.len() {
+            structures[k] = Invariant::ALL[k].description().general();
+            k += 1;
+        }
+        Self { structures }
     };
 
     /// Mass-normalised free-free eigenmodes in a frame at the centre of mass along the principal axes.
-    pub const FREE_FREE: Self = Self {
-        first_moment: Zero,
-        modal_first_moment: Zero,
-        second_moment: Diagonal,
-        position_mode_moment: Symmetric,
-        mode_mode_moment: Dense,
-        modal_mass: Identity,
-        stiffness: Diagonal,
-        damping: Diagonal,
+    pub const FREE_FREE: Self = {
+        let mut structures = [Structure::Dense; Invariant::ALL.len()];
+        let mut k = 0;
+        while k < structures.len() {
+            structures[k] = Invariant::ALL[k].description().free_free;
+            k += 1;
+        }
+        Self { structures }
     };
 
-    /// Name, structure and admissible structures of each invariant, in the order of the fields.
-    pub fn entries(&self) -> [(&'static str, Structure, &'static [Structure]); 8] {
-        const VECTOR: &[Structure] = &[Zero, Dense];
-        const TENSOR: &[Structure] = &[Diagonal, Symmetric];
-        const MATRICES: &[Structure] = &[Zero, Diagonal, Symmetric, Antisymmetric, Dense];
-        const MASS: &[Structure] = &[Identity, Diagonal, Symmetric];
-        const MODAL: &[Structure] = &[Zero, Identity, Diagonal, Symmetric];
-        [
-            ("first_moment", self.first_moment, VECTOR),
-            ("modal_first_moment", self.modal_first_moment, VECTOR),
-            ("second_moment", self.second_moment, TENSOR),
-            ("position_mode_moment", self.position_mode_moment, MATRICES),
-            ("mode_mode_moment", self.mode_mode_moment, MATRICES),
-            ("modal_mass", self.modal_mass, MASS),
-            ("stiffness", self.stiffness, MODAL),
-            ("damping", self.damping, MODAL),
-        ]
+    /// The layout with another structure of one invariant.
+    #[must_use]
+    pub fn with(mut self, invariant: Invariant, structure: Structure) -> Self {
+        self[invariant] = structure;
+        self
     }
 
-    /// Sets the structure of the invariant called `name`; `dense` on a symmetric invariant means symmetric.
-    ///
-    /// Returns whether there is such an invariant.
-    pub fn set(&mut self, name: &str, structure: Structure) -> bool {
-        let symmetric = if structure == Dense { Symmetric } else { structure };
-        match name {
-            "first_moment" => self.first_moment = structure,
-            "modal_first_moment" => self.modal_first_moment = structure,
-            "second_moment" => self.second_moment = symmetric,
-            "position_mode_moment" => self.position_mode_moment = structure,
-            "mode_mode_moment" => self.mode_mode_moment = structure,
-            "modal_mass" => self.modal_mass = symmetric,
-            "stiffness" => self.stiffness = symmetric,
-            "damping" => self.damping = symmetric,
-            _ => return false,
-        }
-        true
+    /// The invariants whose structure is a choice, with it.
+    pub fn entries(&self) -> impl Iterator<Item = (Invariant, Structure)> + use<> {
+        let layout = *self;
+        let chosen = Invariant::ALL.into_iter().filter(|known| known.description().admitted.len() > 1);
+        chosen.map(move |invariant| (invariant, layout[invariant]))
     }
 
     /// Whether Θ_ff is data of its own: T_μν is declared so that its trace cannot supply it.
@@ -95,18 +54,32 @@ impl Layout {
     /// Such layouts are for fidelities that take nothing else from the even part of T_μν, see
     /// [`check_body`](Self::check_body).
     pub fn has_own_modal_mass(&self) -> bool {
-        self.modal_mass != Identity && matches!(self.mode_mode_moment, Zero | Antisymmetric)
+        self[Invariant::ModalMass] != Structure::Identity && self.lacks_trace()
+    }
+
+    /// Whether an invariant is data where invariants come at run time: neither fixed by the layout nor given by another.
+    pub fn is_data(&self, invariant: Invariant) -> bool {
+        match (invariant, self[invariant]) {
+            (_, Structure::Zero | Structure::Identity) => false,
+            (Invariant::ModalMass, _) => self.has_own_modal_mass(),
+            _ => true,
+        }
+    }
+
+    fn lacks_trace(&self) -> bool {
+        matches!(self[Invariant::ModeModeMoment], Structure::Zero | Structure::Antisymmetric)
     }
 
     /// Checks that each invariant has a structure that it can have.
     ///
-    /// Errors: [`CodegenError::Structure`], the first in the order of the fields.
+    /// Errors: [`CodegenError::Structure`], the first in the order of the table.
     pub fn check(&self) -> Result<(), CodegenError> {
-        for (invariant, structure, admissible) in self.entries() {
-            if !admissible.contains(&structure) {
-                let expected: Vec<_> = admissible.iter().map(|known| known.name()).collect();
+        for invariant in Invariant::ALL {
+            let (structure, admitted) = (self[invariant], invariant.description().admitted);
+            if !admitted.contains(&structure) {
+                let expected: Vec<_> = admitted.iter().map(|known| known.name()).collect();
                 return Err(CodegenError::Structure {
-                    invariant,
+                    invariant: invariant.name(),
                     found: structure.name(),
                     expected: expected.join(", "),
                 });
@@ -125,11 +98,10 @@ impl Layout {
     /// Errors: [`CodegenError::Structure`], [`CodegenError::Contradiction`].
     pub fn check_body(&self, mode_count: usize, fidelity: &Fidelity) -> Result<(), CodegenError> {
         self.check()?;
-        let without_trace = matches!(self.mode_mode_moment, Zero | Antisymmetric);
-        if mode_count > 0 && without_trace && fidelity.keeps(EnergyTerm::RotationQuadratic) {
+        if mode_count > 0 && self.lacks_trace() && fidelity.keeps(EnergyTerm::RotationQuadratic) {
             return Err(CodegenError::Contradiction {
-                invariant: "mode_mode_moment",
-                found: self.mode_mode_moment.name(),
+                invariant: Invariant::ModeModeMoment.name(),
+                found: self[Invariant::ModeModeMoment].name(),
                 reason: "its trace is the modal mass Θ_ff = [tr T_μν], which is positive; declare it diagonal, \
                          symmetric or dense, or choose a fidelity without `rotation_quadratic` (linear, constant, rigid)",
             });
@@ -138,11 +110,25 @@ impl Layout {
     }
 }
 
+impl Index<Invariant> for Layout {
+    type Output = Structure;
+
+    fn index(&self, invariant: Invariant) -> &Structure {
+        &self.structures[invariant as usize]
+    }
+}
+
+impl IndexMut<Invariant> for Layout {
+    fn index_mut(&mut self, invariant: Invariant) -> &mut Structure {
+        &mut self.structures[invariant as usize]
+    }
+}
+
 impl core::fmt::Display for Layout {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let mut separator = "";
-        for (invariant, structure, _) in self.entries() {
-            write!(f, "{separator}{invariant}: {structure}")?;
+        for (invariant, structure) in self.entries() {
+            write!(f, "{separator}{}: {structure}", invariant.name())?;
             separator = ", ";
         }
         Ok(())
@@ -151,38 +137,29 @@ impl core::fmt::Display for Layout {
 
 #[cfg(test)]
 mod tests {
+    use super::Structure::{Antisymmetric, Diagonal, Identity, Symmetric, Zero};
     use super::*;
+    use Invariant::{ModalMass, ModeModeMoment};
 
     #[test]
-    fn every_invariant_can_be_set_by_its_name() {
-        let mut layout = Layout::GENERAL;
-        for (name, _, admissible) in Layout::FREE_FREE.entries() {
-            assert!(layout.set(name, admissible[0]), "{name}");
-        }
-        assert!(!layout.set("colour", Zero));
-        assert!(layout.check().is_ok());
-        assert_eq!(layout.first_moment, Zero);
-        assert_eq!(layout.modal_mass, Identity);
+    fn the_common_layouts_have_structures_that_their_invariants_can_have() {
+        assert!(Layout::GENERAL.check().is_ok() && Layout::FREE_FREE.check().is_ok());
+        assert_eq!(Layout::GENERAL.entries().count(), Invariant::ALL.len() - 1);
     }
 
     #[test]
     fn a_structure_that_an_invariant_cannot_have_is_refused() {
-        let mut layout = Layout::GENERAL;
-        layout.modal_mass = Zero;
-        let error = layout.check().unwrap_err().to_string();
+        let error = Layout::GENERAL.with(ModalMass, Zero).check().unwrap_err().to_string();
         assert_eq!(error, "modal_mass cannot be zero, expected one of: identity, diagonal, symmetric");
-        assert!(Layout::GENERAL.check().is_ok() && Layout::FREE_FREE.check().is_ok());
     }
 
     #[test]
     fn a_tensor_without_trace_contradicts_a_positive_modal_mass() {
-        for mode_mode_moment in [Zero, Antisymmetric] {
+        for moments in [Zero, Antisymmetric] {
             for modal_mass in [Identity, Diagonal, Symmetric] {
-                let layout = Layout { mode_mode_moment, modal_mass, ..Layout::GENERAL };
+                let layout = Layout::GENERAL.with(ModeModeMoment, moments).with(ModalMass, modal_mass);
                 let error = layout.check_body(2, &Fidelity::Full).unwrap_err().to_string();
-                let named = format!(
-                    "mode_mode_moment cannot be {mode_mode_moment} here: its trace is the modal mass"
-                );
+                let named = format!("mode_mode_moment cannot be {moments} here: its trace is the modal mass");
                 assert!(error.starts_with(&named), "{error}");
                 // No mode, no trace; and a fidelity that takes only the trace and the odd part has them both.
                 assert!(layout.check_body(0, &Fidelity::Full).is_ok());
@@ -191,6 +168,7 @@ mod tests {
                 assert!(layout.check_body(2, &whirl).is_ok());
                 let stretch = Fidelity::from_term_names(["rotation_quadratic"]).unwrap();
                 assert!(layout.check_body(2, &stretch).is_err());
+                assert_eq!(layout.is_data(ModalMass), modal_mass != Identity);
             }
         }
         for layout in [Layout::GENERAL, Layout::FREE_FREE] {

@@ -5,7 +5,8 @@
 
 use ffrf_model::{Matrix3, ReducedBody};
 
-use super::{Layout, Structure};
+use super::Layout;
+use crate::invariants::{Invariant, Structure};
 use crate::options::{CENTRED_TOLERANCE, ORTHOGONALITY_TOLERANCE};
 
 /// Norms, in the mass inner product, of the fields that the invariants are products of.
@@ -66,28 +67,29 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
     };
     let negligible_lever = negligible_first_moment(body, &scales, tolerance);
     let position_square = scales.position * scales.position;
-    Layout {
-        first_moment: zero_or_dense(inertia.first_moment.iter().all(|x| x.abs() <= negligible_lever)),
-        modal_first_moment: zero_or_dense(modes_keep_the_centre(body, &scales, tolerance)),
-        second_moment: at_least_diagonal(matrix3(&inertia.second_moment, position_square)),
-        position_mode_moment: join(
-            &mut (0..count)
-                .map(|mu| matrix3(&inertia.position_mode_moment[mu], scales.position * scales.modes[mu])),
-        ),
-        mode_mode_moment: join(&mut (0..count).flat_map(|mu| {
-            let scales = &scales;
-            (0..count).map(move |nu| {
-                matrix3(&inertia.mode_mode_moment[mu][nu], scales.modes[mu] * scales.modes[nu])
-            })
-        })),
-        modal_mass: if count == 0 {
-            Structure::Identity
-        } else {
-            at_least_diagonal(modal(&modal_mass, &scales.modes))
-        },
-        stiffness: modal(&body.stiffness, &scales.stiffness),
-        damping: modal(&body.damping, &scales.damping),
-    }
+    let first_moment = zero_or_dense(inertia.first_moment.iter().all(|x| x.abs() <= negligible_lever));
+    let position_mode_moment = join(
+        &mut (0..count)
+            .map(|mu| matrix3(&inertia.position_mode_moment[mu], scales.position * scales.modes[mu])),
+    );
+    let mode_mode_moment = join(&mut (0..count).flat_map(|mu| {
+        let scales = &scales;
+        (0..count)
+            .map(move |nu| matrix3(&inertia.mode_mode_moment[mu][nu], scales.modes[mu] * scales.modes[nu]))
+    }));
+    let modal_mass = match count {
+        0 => Structure::Identity,
+        _ => at_least_diagonal(modal(&modal_mass, &scales.modes)),
+    };
+    Layout::GENERAL
+        .with(Invariant::FirstMoment, first_moment)
+        .with(Invariant::ModalFirstMoment, zero_or_dense(modes_keep_the_centre(body, &scales, tolerance)))
+        .with(Invariant::SecondMoment, at_least_diagonal(matrix3(&inertia.second_moment, position_square)))
+        .with(Invariant::PositionModeMoment, position_mode_moment)
+        .with(Invariant::ModeModeMoment, mode_mode_moment)
+        .with(Invariant::ModalMass, modal_mass)
+        .with(Invariant::Stiffness, modal(&body.stiffness, &scales.stiffness))
+        .with(Invariant::Damping, modal(&body.damping, &scales.damping))
 }
 
 /// True if every b_μ counts as zero.

@@ -7,8 +7,7 @@
 mod declared;
 mod found;
 mod parse;
-mod structure;
 
+pub use crate::invariants::Structure;
 pub use declared::Layout;
 pub use found::{GramScales, found, negligible_first_moment};
-pub use structure::Structure;

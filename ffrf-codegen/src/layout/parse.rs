@@ -2,33 +2,24 @@
 
 use std::str::FromStr;
 
-use super::{Layout, Structure};
+use super::Layout;
 use crate::CodegenError;
+use crate::invariants::{Invariant, Structure};
 
 impl Layout {
-    /// Declares one invariant by names. The mass is a number: `dense` is all that it can be.
+    /// Declares one invariant by names; `dense` on an invariant that is symmetric at best means symmetric.
     ///
     /// Errors: [`CodegenError::UnknownInvariant`], and [`CodegenError::Structure`] for a structure that the invariant
     /// cannot have; the layout is then unchanged.
     pub fn declare(&mut self, invariant: &str, structure: Structure) -> Result<(), CodegenError> {
-        if invariant == "mass" {
-            return match structure {
-                Structure::Dense => Ok(()),
-                other => Err(CodegenError::Structure {
-                    invariant: "mass",
-                    found: other.name(),
-                    expected: Structure::Dense.name().to_owned(),
-                }),
-            };
-        }
-        let mut changed = *self;
-        if !changed.set(invariant, structure) {
-            let known = self.entries().map(|(name, ..)| name).join(", ");
+        let Some(known) = Invariant::from_name(invariant) else {
             return Err(CodegenError::UnknownInvariant {
                 found: invariant.to_owned(),
-                expected: format!("mass, {known}"),
+                expected: Invariant::ALL.map(Invariant::name).join(", "),
             });
-        }
+        };
+        let general = known.description().general();
+        let changed = self.with(known, if structure == Structure::Dense { general } else { structure });
         changed.check()?;
         *self = changed;
         Ok(())
@@ -72,6 +63,19 @@ mod tests {
         let text = "first_moment=zero, modal_first_moment=zero, second_moment=diagonal, mass=dense, \
                     position_mode_moment=symmetric, modal_mass=identity, stiffness=diagonal, damping=diagonal";
         assert_eq!(text.parse::<Layout>().unwrap(), Layout::FREE_FREE);
+    }
+
+    #[test]
+    fn every_invariant_can_be_declared_by_its_name() {
+        let mut layout = Layout::GENERAL;
+        for (invariant, _) in Layout::FREE_FREE.entries() {
+            let structure = invariant.description().admitted[0];
+            layout.declare(invariant.name(), structure).unwrap();
+            assert_eq!(layout[invariant], structure);
+            layout.declare(invariant.name(), Structure::Dense).unwrap();
+            assert_eq!(layout[invariant], Layout::GENERAL[invariant]);
+        }
+        assert!(layout.declare("colour", Structure::Zero).is_err());
     }
 
     #[test]

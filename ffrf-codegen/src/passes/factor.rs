@@ -51,23 +51,24 @@ fn factored(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::{Symbol, evaluate};
-    use crate::formulate::KernelKind;
+    use crate::expression::{Input, Symbol, evaluate};
+    use crate::formulate::Draft;
+    use crate::formulate::kernels::ELASTIC_ENERGY;
 
     #[test]
     fn a_common_factor_saves_a_product() {
-        let mut graph = Graph::new();
-        let [x, y, z] = [0, 1, 2].map(|k| graph.symbol(Symbol::Coordinate(k)));
+        let mut graph = Draft::default();
+        let [x, y, z] = [0, 1, 2].map(|k| graph.symbol(Input::COORDINATES.symbol(k)));
         let left = graph.multiply(x, y);
         let right = graph.multiply(z, x);
         let difference = graph.subtract(left, right);
         let kernel =
-            Kernel { kind: KernelKind::ElasticEnergy, mode_count: 3, graph, outputs: vec![difference] };
+            Kernel { signature: ELASTIC_ENERGY.signature, mode_count: 3, graph, outputs: vec![difference] };
         let factored = super::super::dead_code::run(run(kernel));
         let products = factored.graph.nodes().filter(|(_, node)| matches!(node, Node::Multiply(..)));
         assert_eq!(products.count(), 1);
         let value = |symbol| match symbol {
-            Symbol::Coordinate(k) => [2.0, 3.0, 5.0][k],
+            Symbol::Input(Input::COORDINATES, k) => [2.0, 3.0, 5.0][k],
             _ => f64::NAN,
         };
         assert_eq!(evaluate(&factored.graph, &factored.outputs, value), [2.0 * (3.0 - 5.0)]);

@@ -45,22 +45,23 @@ fn fused(graph: &mut Graph, product: Expression, rest: Expression, node: Node, n
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::{Symbol, evaluate};
-    use crate::formulate::KernelKind;
+    use crate::expression::{Input, Symbol, evaluate};
+    use crate::formulate::Draft;
+    use crate::formulate::kernels::ELASTIC_ENERGY;
 
     #[test]
     fn products_fuse_with_the_sum_that_alone_uses_them() {
-        let mut graph = Graph::new();
-        let [x, y, z] = [0, 1, 2].map(|k| graph.symbol(Symbol::Coordinate(k)));
+        let mut graph = Draft::default();
+        let [x, y, z] = [0, 1, 2].map(|k| graph.symbol(Input::COORDINATES.symbol(k)));
         let product = graph.multiply(x, y);
         let plus = graph.add(z, product);
         let other = graph.multiply(x, z);
         let minus = graph.subtract(plus, other);
         let shared = graph.multiply(y, z);
         let outputs = vec![minus, shared, graph.add(shared, x)];
-        let kernel = Kernel { kind: KernelKind::ElasticEnergy, mode_count: 3, graph, outputs };
+        let kernel = Kernel { signature: ELASTIC_ENERGY.signature, mode_count: 3, graph, outputs };
         let value = |symbol| match symbol {
-            Symbol::Coordinate(k) => [2.0, 3.0, 5.0][k],
+            Symbol::Input(Input::COORDINATES, k) => [2.0, 3.0, 5.0][k],
             _ => f64::NAN,
         };
         let before = evaluate(&kernel.graph, &kernel.outputs, value);

@@ -91,21 +91,22 @@ impl Walk<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::{Symbol, evaluate};
-    use crate::formulate::KernelKind;
+    use crate::expression::{Input, Symbol, evaluate};
+    use crate::formulate::Draft;
+    use crate::formulate::kernels::ELASTIC_ENERGY;
 
     /// Two sums of two products each, written with all products first; in the section `second`, what uses both.
     fn kernel() -> Kernel {
-        let mut graph = Graph::new();
+        let mut graph = Draft::default();
         let g = &mut graph;
-        let [x, y, z] = [0, 1, 2].map(|k| g.symbol(Symbol::Coordinate(k)));
+        let [x, y, z] = [0, 1, 2].map(|k| g.symbol(Input::COORDINATES.symbol(k)));
         g.section("first");
         let products = [g.multiply(x, y), g.multiply(y, z), g.multiply(z, x), g.multiply(x, x)];
         let sums = [g.add(products[0], products[2]), g.add(products[1], products[3])];
         g.section("second");
         let quotient = g.divide(sums[1], sums[0]);
         let outputs = vec![g.add(quotient, sums[0]), x];
-        Kernel { kind: KernelKind::ElasticEnergy, mode_count: 3, graph, outputs }
+        Kernel { signature: ELASTIC_ENERGY.signature, mode_count: 3, graph, outputs }
     }
 
     #[test]
@@ -137,7 +138,7 @@ mod tests {
     #[test]
     fn the_same_operations_give_the_same_bits() {
         let value = |symbol| match symbol {
-            Symbol::Coordinate(k) => [0.1, 0.7, -1.3][k],
+            Symbol::Input(Input::COORDINATES, k) => [0.1, 0.7, -1.3][k],
             _ => f64::NAN,
         };
         let (before, after) = (kernel(), run(kernel()));

@@ -1,7 +1,7 @@
 //! What all passes share: copying a kernel node by node into a new graph.
 
 use crate::expression::{Expression, Graph, Node};
-use crate::formulate::Kernel;
+use crate::formulate::{Draft, Kernel};
 
 /// Copies what the outputs need, in order, letting `change` write each node anew.
 ///
@@ -22,7 +22,7 @@ pub(super) fn rewrite_in_order(
     order: impl IntoIterator<Item = Expression>,
     mut change: impl FnMut(&mut Graph, Node, Expression) -> Expression,
 ) -> Kernel {
-    let mut graph = Graph::new();
+    let mut graph = Draft::default();
     let mut renamed: Vec<Option<Expression>> = vec![None; kernel.graph.len()];
     for old in order {
         let node = kernel.graph.node(old);
@@ -31,12 +31,12 @@ pub(super) fn rewrite_in_order(
         graph.section(kernel.graph.section_of(old));
         let new = change(&mut graph, node.with_operands(new_name), old);
         if let Some(label) = kernel.graph.label_of(old) {
-            graph.label(new, label.0.clone());
+            graph.label(new, label);
         }
         renamed[old.index()] = Some(new);
     }
     let outputs = kernel.outputs.iter().map(|output| renamed[output.index()].unwrap_or(*output)).collect();
-    Kernel { graph, outputs, ..*kernel }
+    Kernel { graph, outputs, signature: kernel.signature, mode_count: kernel.mode_count }
 }
 
 /// How often each node up to the last needed one is used by needed nodes and outputs.

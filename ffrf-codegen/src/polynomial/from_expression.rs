@@ -51,12 +51,13 @@ fn reciprocal(graph: &Graph, divisor: Expression) -> Result<Polynomial<Symbol>, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expression::Input;
 
     #[test]
     fn factored_and_expanded_forms_are_one_polynomial() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         let sum = graph.add(x, y);
         let difference = graph.subtract(x, y);
         let factored = graph.multiply(sum, difference);
@@ -76,7 +77,7 @@ mod tests {
     #[test]
     fn what_is_not_a_polynomial_is_rejected() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
         let one = graph.one();
         let three = graph.constant(3.0);
         let quotient = graph.divide(one, x);

@@ -4,8 +4,9 @@ use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
 use ffrf_codegen::expression::Graph;
 use ffrf_codegen::fidelity::Fidelity;
-use ffrf_codegen::formulate::State;
-use ffrf_codegen::formulate::{Kernel, KernelKind, internal_force};
+use ffrf_codegen::formulate::kernels::FORWARD_DYNAMICS;
+use ffrf_codegen::formulate::{Kernel, State, internal_force};
+use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::layout::{Layout, Structure};
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -21,7 +22,7 @@ fn rest(mode_count: usize, layout: &Layout, fidelity: &Fidelity) -> Vec<BigRatio
     let body = BodyExpressions::symbolic(&mut graph, mode_count, layout).truncated(&mut graph, fidelity);
     let state = State::symbolic(&mut graph, mode_count);
     let internal = internal_force(&mut graph, &body, &state);
-    let kernel = Kernel::formulate(KernelKind::ForwardDynamics, graph, &body).unwrap();
+    let kernel = Kernel::formulate(&FORWARD_DYNAMICS, graph, &body).unwrap();
     residual(&kernel.graph, &derived, &internal, &kernel.outputs, 1)
 }
 
@@ -29,7 +30,7 @@ fn layouts() -> Vec<Layout> {
     let mut layouts = Vec::new();
     for base in [Layout::GENERAL, Layout::FREE_FREE] {
         for modal_mass in [Structure::Identity, Structure::Diagonal, Structure::Symmetric] {
-            layouts.push(Layout { modal_mass, ..base });
+            layouts.push(base.with(Invariant::ModalMass, modal_mass));
         }
     }
     layouts

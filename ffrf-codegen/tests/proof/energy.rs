@@ -1,13 +1,15 @@
 //! The energy itself: that of one mass point, hence, the energy being linear in the invariants, of every body.
 
-use ffrf_codegen::derive::{KineticEnergy, RawInertia};
-use ffrf_codegen::expression::{Expression, Graph, Symbol, cross, dot, sum3};
+use ffrf_codegen::body::RawInertia;
+use ffrf_codegen::derive::KineticEnergy;
+use ffrf_codegen::expression::{Expression, Graph, Input, Symbol, cross, dot, sum3};
 use ffrf_codegen::fidelity::Fidelity;
+use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::polynomial::polynomials_of;
 
 /// Invariants of a point of mass m at x with mode shapes φ_μ: all moments are products of these.
 fn mass_point(graph: &mut Graph, x: [Expression; 3], shapes: &[[Expression; 3]]) -> RawInertia {
-    let mass = graph.symbol(Symbol::Mass);
+    let mass = graph.symbol(Invariant::Mass.at([]));
     let mut moment = |a: [Expression; 3], b: [Expression; 3]| {
         a.map(|left| {
             b.map(|right| {
@@ -51,16 +53,16 @@ fn energy_is_that_of_a_mass_point() {
 
         // ½ m |v + ω × (x + q_μ φ_μ) + q̇_μ φ_μ|²
         let mut position = x;
-        let mut velocity = [0, 1, 2].map(|i| graph.symbol(Symbol::Velocity(i)));
+        let mut velocity = [0, 1, 2].map(|i| graph.symbol(Input::VELOCITY.symbol(i)));
         for (mu, shape) in shapes.iter().enumerate() {
-            let q = graph.symbol(Symbol::Coordinate(mu));
-            let rate = graph.symbol(Symbol::Rate(mu));
+            let q = graph.symbol(Input::COORDINATES.symbol(mu));
+            let rate = graph.symbol(Input::RATES.symbol(mu));
             let displacement = shape.map(|component| graph.multiply(q, component));
             position = sum3(&mut graph, position, displacement);
             let own = shape.map(|component| graph.multiply(rate, component));
             velocity = sum3(&mut graph, velocity, own);
         }
-        let omega = [0, 1, 2].map(|i| graph.symbol(Symbol::AngularVelocity(i)));
+        let omega = [0, 1, 2].map(|i| graph.symbol(Input::ANGULAR_VELOCITY.symbol(i)));
         let carried = cross(&mut graph, omega, position);
         let velocity = sum3(&mut graph, velocity, carried);
         let square = dot(&mut graph, velocity, velocity);

@@ -1,7 +1,7 @@
 //! The corrected Section 8 of the paper, transcribed line by line, with a switch that puts a misprint back.
 
-use ffrf_codegen::derive::RawInertia;
-use ffrf_codegen::expression::{Expression, Graph, Symbol, Vector, cross, dot, sum3};
+use ffrf_codegen::body::RawInertia;
+use ffrf_codegen::expression::{Expression, Graph, Input, Vector, cross, dot, sum3};
 
 type Matrix = [Vector; 3];
 
@@ -137,9 +137,9 @@ fn transpose(matrix: &Matrix) -> Matrix {
 pub fn write(graph: &mut Graph, inertia: &RawInertia, misprint: Option<Misprint>) -> Formulas {
     let mut w = Writer { graph, misprint };
     let modes = inertia.mode_count();
-    let omega = [0, 1, 2].map(|i| w.graph.symbol(Symbol::AngularVelocity(i)));
-    let q: Vec<_> = (0..modes).map(|mu| w.graph.symbol(Symbol::Coordinate(mu))).collect();
-    let q_dot: Vec<_> = (0..modes).map(|mu| w.graph.symbol(Symbol::Rate(mu))).collect();
+    let omega = [0, 1, 2].map(|i| w.graph.symbol(Input::ANGULAR_VELOCITY.symbol(i)));
+    let q: Vec<_> = (0..modes).map(|mu| w.graph.symbol(Input::COORDINATES.symbol(mu))).collect();
+    let q_dot: Vec<_> = (0..modes).map(|mu| w.graph.symbol(Input::RATES.symbol(mu))).collect();
     let zero = w.graph.zero();
 
     // Constant matrices (207), (208)

@@ -1,8 +1,9 @@
 //! Analytic Jacobians against dual numbers, and that of the residual against the mass matrix.
 
 use ffrf_codegen::body::BodyExpressions;
-use ffrf_codegen::derive::{Jacobian, Variable};
-use ffrf_codegen::expression::{Expression, Graph, Symbol, evaluate};
+use ffrf_codegen::expression::{Expression, Graph, Input, Symbol, evaluate};
+use ffrf_codegen::formulate::{Draft, Jacobian, Variable};
+use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::layout::{Layout, Structure};
 
 use crate::dual::Dual;
@@ -35,8 +36,8 @@ fn error(graph: &Graph, jacobian: &Jacobian, mode_count: usize, seed: u64) -> f6
 fn layouts() -> [Layout; 4] {
     [
         Layout::GENERAL,
-        Layout { modal_mass: Structure::Identity, ..Layout::GENERAL },
-        Layout { modal_mass: Structure::Diagonal, ..Layout::GENERAL },
+        Layout::GENERAL.with(Invariant::ModalMass, Structure::Identity),
+        Layout::GENERAL.with(Invariant::ModalMass, Structure::Diagonal),
         Layout::FREE_FREE,
     ]
 }
@@ -45,7 +46,7 @@ fn layouts() -> [Layout; 4] {
 fn jacobians_of_the_accelerations_agree_with_dual_numbers() {
     for mode_count in 0..6 {
         for layout in layouts() {
-            let mut graph = Graph::new();
+            let mut graph = Draft::default();
             let body = BodyExpressions::symbolic(&mut graph, mode_count, &layout);
             let jacobian = Jacobian::of_accelerations(&mut graph, &body).unwrap();
             for seed in 0..3 {
@@ -60,7 +61,7 @@ fn jacobians_of_the_accelerations_agree_with_dual_numbers() {
 fn jacobians_of_the_residual_agree_with_dual_numbers() {
     for mode_count in 0..6 {
         for layout in layouts() {
-            let mut graph = Graph::new();
+            let mut graph = Draft::default();
             let body = BodyExpressions::symbolic(&mut graph, mode_count, &layout);
             let jacobian = Jacobian::of_residual(&mut graph, &body);
             for seed in 0..3 {
@@ -73,7 +74,7 @@ fn jacobians_of_the_residual_agree_with_dual_numbers() {
 
 #[test]
 fn nothing_depends_on_the_velocity_of_the_origin() {
-    let mut graph = Graph::new();
+    let mut graph = Draft::default();
     let body = BodyExpressions::symbolic(&mut graph, 3, &Layout::GENERAL);
     let jacobian = Jacobian::of_accelerations(&mut graph, &body).unwrap();
     let zero = graph.zero();
@@ -84,8 +85,8 @@ fn nothing_depends_on_the_velocity_of_the_origin() {
 #[test]
 fn the_implicit_function_theorem_keeps_the_cost_near_that_of_the_columns() {
     for mode_count in [1, 2, 4, 8, 16] {
-        let layout = Layout { modal_mass: Structure::Identity, ..Layout::GENERAL };
-        let mut graph = Graph::new();
+        let layout = Layout::GENERAL.with(Invariant::ModalMass, Structure::Identity);
+        let mut graph = Draft::default();
         let body = BodyExpressions::symbolic(&mut graph, mode_count, &layout);
         let jacobian = Jacobian::of_accelerations(&mut graph, &body).unwrap();
         let without_force: Vec<Expression> = [
@@ -122,13 +123,13 @@ fn operations(graph: &Graph, outputs: &[Expression]) -> usize {
 #[test]
 fn the_residual_is_what_its_name_says() {
     let mode_count = 2;
-    let mut graph = Graph::new();
+    let mut graph = Draft::default();
     let body = BodyExpressions::symbolic(&mut graph, mode_count, &Layout::GENERAL);
     let jacobian = Jacobian::of_residual(&mut graph, &body);
     let accelerations = Jacobian::of_accelerations(&mut graph, &body).unwrap();
     let w = evaluate(&graph, &accelerations.value, |symbol| value(symbol, 7));
     let rest = evaluate(&graph, &jacobian.value, |symbol| match symbol {
-        Symbol::Acceleration(row) => w[row],
+        Symbol::Input(Input::ACCELERATION, row) => w[row],
         other => value(other, 7),
     });
     assert!(rest.iter().all(|entry| entry.abs() < SOLVED), "{rest:?}");

@@ -4,12 +4,13 @@ use std::time::Instant;
 
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
-use ffrf_codegen::expression::{Expression, Graph, Symbol, dot};
+use ffrf_codegen::expression::{Expression, Input, dot};
 use ffrf_codegen::fidelity::Fidelity;
 use ffrf_codegen::formulate::{
-    DeformedBody, State, angular_momentum, gravity_force, kinetic_energy, linear_momentum, mass_matrix,
-    quadratic_velocity,
+    DeformedBody, Draft, State, angular_momentum, gravity_force, kinetic_energy, linear_momentum,
+    mass_matrix, quadratic_velocity,
 };
+use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::layout::{Layout, Structure};
 use ffrf_codegen::polynomial::polynomials_of;
 
@@ -21,15 +22,12 @@ use crate::mutated::every_mutant_is_found;
 fn all_layouts() -> Vec<Layout> {
     let mut layouts = vec![Layout::GENERAL];
     // Stiffness and damping do not enter the kinetic energy.
-    for (name, _, admissible) in &Layout::GENERAL.entries()[..6] {
+    for (invariant, _) in Layout::GENERAL.entries().take(6) {
         layouts = layouts
             .iter()
             .flat_map(|layout| {
-                admissible.iter().map(|structure| {
-                    let mut varied = *layout;
-                    assert!(varied.set(name, *structure));
-                    varied
-                })
+                let admitted = invariant.description().admitted.iter();
+                admitted.map(|structure| layout.with(invariant, *structure))
             })
             .collect();
     }
@@ -41,10 +39,9 @@ fn all_layouts() -> Vec<Layout> {
 fn single_layouts() -> Vec<Layout> {
     let mut layouts = Vec::new();
     for base in [Layout::GENERAL, Layout::FREE_FREE] {
-        for (name, _, admissible) in &base.entries()[..6] {
-            for structure in *admissible {
-                let mut varied = base;
-                assert!(varied.set(name, *structure));
+        for (invariant, _) in base.entries().take(6) {
+            for structure in invariant.description().admitted {
+                let varied = base.with(invariant, *structure);
                 if !layouts.contains(&varied) {
                     layouts.push(varied);
                 }
@@ -56,7 +53,7 @@ fn single_layouts() -> Vec<Layout> {
 
 /// Proves all polynomial kernels of one body; returns the number of monomials compared.
 fn prove(mode_count: usize, layout: &Layout, fidelity: &Fidelity) -> usize {
-    let mut graph = Graph::new();
+    let mut graph = Draft::default();
     let g = &mut graph;
     let case = format!("M = {mode_count}, {layout}, {fidelity:?}");
 
@@ -64,7 +61,7 @@ fn prove(mode_count: usize, layout: &Layout, fidelity: &Fidelity) -> usize {
     let raw = raw_inertia(g, mode_count, layout);
     let energy = KineticEnergy::new(g, &raw).truncated(g, fidelity);
     let derived = EulerPoincare::new(g, energy, mode_count);
-    let gravity: [Expression; 3] = [0, 1, 2].map(|i| g.symbol(Symbol::Gravity(i)));
+    let gravity: [Expression; 3] = [0, 1, 2].map(|i| g.symbol(Input::GRAVITY.symbol(i)));
     // A uniform field is an acceleration of the origin: the first three columns of the mass matrix.
     let weight: Vec<_> =
         derived.mass_matrix.iter().map(|row| dot(g, [row[0], row[1], row[2]], gravity)).collect();
@@ -135,7 +132,7 @@ fn kernels_of_every_list_of_terms_equal_the_derived_equations() {
 #[test]
 fn any_wrong_sign_in_the_kernels_breaks_the_proof() {
     let mode_count = 2;
-    let mut graph = Graph::new();
+    let mut graph = Draft::default();
     let body = BodyExpressions::symbolic(&mut graph, mode_count, &Layout::GENERAL);
     let state = State::symbolic(&mut graph, mode_count);
     let deformed = DeformedBody::new(&mut graph, &body, &state);
@@ -152,7 +149,6 @@ fn the_general_layout_leaves_every_invariant_a_symbol() {
         (0..5).map(|mode_count| prove(mode_count, &Layout::GENERAL, &Fidelity::Full)).collect();
     eprintln!("monomials of the general layout: {counts:?}");
     assert!(counts.windows(2).all(|pair| pair[0] < pair[1]));
-    let mut free = Layout::FREE_FREE;
-    free.modal_mass = Structure::Diagonal;
+    let free = Layout::FREE_FREE.with(Invariant::ModalMass, Structure::Diagonal);
     assert!(prove(4, &free, &Fidelity::Full) < counts[4]);
 }

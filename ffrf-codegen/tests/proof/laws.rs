@@ -1,7 +1,8 @@
 //! Laws that the derived equations obey at every fidelity: power balance, Galilean invariance, symmetry.
 
-use ffrf_codegen::derive::{EulerPoincare, KineticEnergy, RawInertia};
-use ffrf_codegen::expression::{Expression, Graph, Symbol, cross, differentiate, dot, subtract3};
+use ffrf_codegen::body::RawInertia;
+use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
+use ffrf_codegen::expression::{Expression, Graph, Input, Symbol, cross, differentiate, dot, subtract3};
 use ffrf_codegen::fidelity::{EnergyTerm, Fidelity};
 use ffrf_codegen::polynomial::{Polynomial, polynomials_of};
 
@@ -33,9 +34,9 @@ pub fn power_defect(
     quadratic_velocity: &[Expression],
 ) -> Polynomial<Symbol> {
     let size = quadratic_velocity.len();
-    let acceleration: Vec<_> = (0..size).map(|k| graph.symbol(Symbol::Acceleration(k))).collect();
-    let v = [0, 1, 2].map(|i| graph.symbol(Symbol::Velocity(i)));
-    let omega = [0, 1, 2].map(|i| graph.symbol(Symbol::AngularVelocity(i)));
+    let acceleration: Vec<_> = (0..size).map(|k| graph.symbol(Input::ACCELERATION.symbol(k))).collect();
+    let v = [0, 1, 2].map(|i| graph.symbol(Input::VELOCITY.symbol(i)));
+    let omega = [0, 1, 2].map(|i| graph.symbol(Input::ANGULAR_VELOCITY.symbol(i)));
     let symbols = velocity_symbols(size - 6);
 
     let mut power = graph.zero();
@@ -56,8 +57,8 @@ pub fn power_defect(
         power = graph.subtract(power, product);
     }
     for mu in 0..size - 6 {
-        let slope = differentiate(graph, &[energy], Symbol::Coordinate(mu))[0];
-        let rate = graph.symbol(Symbol::Rate(mu));
+        let slope = differentiate(graph, &[energy], Input::COORDINATES.symbol(mu))[0];
+        let rate = graph.symbol(Input::RATES.symbol(mu));
         let product = graph.multiply(slope, rate);
         power = graph.subtract(power, product);
     }
@@ -65,8 +66,8 @@ pub fn power_defect(
 }
 
 fn velocity_symbols(mode_count: usize) -> Vec<Symbol> {
-    let rigid = [0, 1, 2].map(Symbol::Velocity).into_iter().chain([0, 1, 2].map(Symbol::AngularVelocity));
-    rigid.chain((0..mode_count).map(Symbol::Rate)).collect()
+    let velocities = [Input::VELOCITY, Input::ANGULAR_VELOCITY, Input::RATES];
+    velocities.into_iter().flat_map(|input| input.symbols(mode_count)).collect()
 }
 
 #[test]
@@ -94,7 +95,7 @@ fn no_fidelity_depends_on_the_velocity_of_the_origin() {
             let derived = EulerPoincare::new(&mut graph, energy, mode_count);
             let equations = Equations::derived(&graph, &derived);
             for (row, entry) in equations.quadratic_velocity.iter().enumerate() {
-                let depends = (0..3).any(|i| entry.depends_on(&Symbol::Velocity(i)));
+                let depends = (0..3).any(|i| entry.depends_on(&Input::VELOCITY.symbol(i)));
                 assert!(!depends, "M = {mode_count}, {fidelity:?}, row {row}: {entry}");
             }
             for row in 0..6 + mode_count {
@@ -113,9 +114,9 @@ fn half_of_the_modal_momentum_would_depend_on_the_velocity_of_the_origin() {
     let inertia = RawInertia::dense(&mut graph, 1);
     let energy = KineticEnergy::new(&mut graph, &inertia).truncated(&mut graph, &Fidelity::Full);
     // Take v·(ω × m q b) away and keep m v·B q̇.
-    let v = [0, 1, 2].map(|i| graph.symbol(Symbol::Velocity(i)));
-    let omega = [0, 1, 2].map(|i| graph.symbol(Symbol::AngularVelocity(i)));
-    let q = graph.symbol(Symbol::Coordinate(0));
+    let v = [0, 1, 2].map(|i| graph.symbol(Input::VELOCITY.symbol(i)));
+    let omega = [0, 1, 2].map(|i| graph.symbol(Input::ANGULAR_VELOCITY.symbol(i)));
+    let q = graph.symbol(Input::COORDINATES.symbol(0));
     let moment = inertia.modal_first_moment[0].map(|component| graph.multiply(q, component));
     let carried = cross(&mut graph, omega, moment);
     let half = dot(&mut graph, v, carried);
@@ -127,7 +128,7 @@ fn half_of_the_modal_momentum_would_depend_on_the_velocity_of_the_origin() {
         .iter()
         .map(|entry| {
             (0..3).fold(entry.clone(), |rest, i| {
-                rest.substitute(&Symbol::Velocity(i), &Polynomial::zero()).unwrap()
+                rest.substitute(&Input::VELOCITY.symbol(i), &Polynomial::zero()).unwrap()
             })
         })
         .zip(&equations.quadratic_velocity)

@@ -1,6 +1,7 @@
 //! The written-out formulas equal the derived equations, and with any misprint of the paper they do not.
 
-use ffrf_codegen::derive::{EulerPoincare, KineticEnergy, RawInertia};
+use ffrf_codegen::body::RawInertia;
+use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
 use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::fidelity::Fidelity;
 

@@ -1,7 +1,7 @@
 //! Accelerations put back into the derived equations of motion, in rational arithmetic.
 
 use ffrf_codegen::derive::EulerPoincare;
-use ffrf_codegen::expression::{Expression, Graph, Symbol, evaluate};
+use ffrf_codegen::expression::{Expression, Graph, Input, Symbol, evaluate};
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -35,7 +35,7 @@ pub fn residual(
                 .fold(BigRational::zero(), |sum, product| sum + product);
             let elastic =
                 if row < 6 { BigRational::zero() } else { number(2 * size + size * size + row - 6) };
-            inertial + number(size + row) + elastic - exact(Symbol::Force(row))
+            inertial + number(size + row) + elastic - exact(Input::FORCE.symbol(row))
         })
         .collect()
 }

@@ -1,6 +1,7 @@
 //! Numbers for symbols: small whole quarters, so that they are exact in every arithmetic.
 
-use ffrf_codegen::expression::Symbol;
+use ffrf_codegen::expression::{Input, Symbol};
+use ffrf_codegen::invariants::Invariant;
 
 /// A reproducible value in -1, -3/4, ..., 1 for each symbol and seed, in quarters.
 fn quarters(symbol: Symbol, seed: u64) -> i32 {
@@ -34,21 +35,19 @@ fn modal_mass(mu: usize, nu: usize, seed: u64) -> f64 {
 pub fn value(symbol: Symbol, seed: u64) -> f64 {
     let quarter = f64::from(quarters(symbol, seed)) / 4.0;
     match symbol {
-        Symbol::Mass => 5.0,
-        Symbol::SecondMoment(i, j) if i == j => 6.0 + quarter,
+        Symbol::Parameter(Invariant::Mass, _) => 5.0,
+        Symbol::Parameter(Invariant::SecondMoment, [i, j, ..]) if i == j => 6.0 + quarter,
         // The trace of T_μν is Θ_ff,μν: T_μν^{xx} is what the other two leave.
-        Symbol::ModeModeMoment(mu, nu, 0, 0) => {
-            let other = |i| value(Symbol::ModeModeMoment(mu, nu, i, i), seed);
+        Symbol::Parameter(Invariant::ModeModeMoment, [mu, nu, 0, 0]) => {
+            let other = |i| value(Invariant::ModeModeMoment.at([mu, nu, i, i]), seed);
             modal_mass(mu, nu, seed) - other(1) - other(2)
         }
-        Symbol::ModeModeMoment(mu, nu, i, j) if mu == nu && i == j => 1.0 + quarter / 4.0,
-        Symbol::FirstMoment(_)
-        | Symbol::ModalFirstMoment(..)
-        | Symbol::SecondMoment(..)
-        | Symbol::PositionModeMoment(..)
-        | Symbol::ModeModeMoment(..)
-        | Symbol::Coordinate(_) => quarter / 4.0,
-        Symbol::Stiffness(mu, nu) if mu == nu => 40.0 + quarter,
+        Symbol::Parameter(Invariant::ModeModeMoment, [mu, nu, i, j]) if mu == nu && i == j => {
+            1.0 + quarter / 4.0
+        }
+        Symbol::Parameter(Invariant::Stiffness, [mu, nu, ..]) if mu == nu => 40.0 + quarter,
+        Symbol::Parameter(Invariant::ModalMass | Invariant::Stiffness | Invariant::Damping, _) => quarter,
+        Symbol::Parameter(..) | Symbol::Input(Input::COORDINATES, _) => quarter / 4.0,
         _ => quarter,
     }
 }

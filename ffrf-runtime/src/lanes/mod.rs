@@ -24,6 +24,7 @@ mod modal_matrix;
 mod moment_structure;
 mod moments;
 mod parameters;
+mod prepared;
 mod real;
 mod rigid;
 mod scalar;

@@ -3,7 +3,8 @@
 //! `ffrf-macros` tests that the macro expands to what the generator makes of the options, `ffrf-cli/tests/doors.rs` that
 //! the command prints the same text.
 
-use ffrf_codegen::layout::{Layout, Structure};
+use ffrf_codegen::invariants::{Invariant, Structure};
+use ffrf_codegen::layout::Layout;
 use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
 use ffrf_model::ModeSelection;
 
@@ -120,13 +121,11 @@ pub fn with_model() -> Vec<Door> {
 /// Invariants at run time: number of modes and layout come with the options.
 pub fn with_layout() -> Vec<(usize, Layout, Door)> {
     let general = Layout::GENERAL;
-    let special = Layout {
-        first_moment: Structure::Zero,
-        position_mode_moment: Structure::Symmetric,
-        modal_mass: Structure::Identity,
-        ..general
-    };
-    let own_mass = Layout { mode_mode_moment: Structure::Zero, ..general };
+    let special = general
+        .with(Invariant::FirstMoment, Structure::Zero)
+        .with(Invariant::PositionModeMoment, Structure::Symmetric)
+        .with(Invariant::ModalMass, Structure::Identity);
+    let own_mass = general.with(Invariant::ModeModeMoment, Structure::Zero);
     vec![
         (2, general, Door { fields: "modes: 2, layout: {}", flags: "--modes 2 --layout=", options: named() }),
         (

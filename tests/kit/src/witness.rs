@@ -2,8 +2,8 @@
 
 use ffrf_codegen::Kernels;
 use ffrf_model::{Matrix3, ReducedBody};
-use ffrf_runtime::FlexibleBody;
 use ffrf_runtime::nalgebra::{SMatrix, SVector, Vector3};
+use ffrf_runtime::{DenseForms, FlexibleBody, GeneralisedForce, Observables};
 
 use crate::naive_body::{Invariants, NaiveBody};
 use crate::random::Random;
@@ -72,7 +72,7 @@ fn close(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
 
 /// All kernels of `compiled` at several states; against the naive form only if its energy is the full one.
 #[track_caller]
-pub fn check<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
+pub fn check<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
     compiled: &B,
     body: &ReducedBody,
     kernels: &Kernels,
@@ -84,7 +84,8 @@ pub fn check<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
         let slices = (q.as_slice(), v.as_slice(), w.as_slice(), p.as_slice(), f.as_slice());
         let mass = compiled.mass_matrix(q);
         let quadratic = compiled.quadratic_velocity(q, w, p);
-        let acceleration = compiled.forward_dynamics(q, w, p, f);
+        let applied = GeneralisedForce::from_vector(f);
+        let acceleration = compiled.forward_dynamics(q, w, p, &applied).to_vector::<N>();
         let together = compiled.equations_of_motion(q, w, p, f);
         close("mass", together.mass_matrix.as_slice(), mass.as_slice(), POLYNOMIAL);
         close("quadratic", together.quadratic_velocity.as_slice(), quadratic.as_slice(), POLYNOMIAL);
@@ -95,7 +96,7 @@ pub fn check<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
         close("quadratic", quadratic.as_slice(), &expected, POLYNOMIAL);
         let expected = kernels.forward_dynamics(slices.0, slices.2, slices.3, slices.4);
         close("acceleration", acceleration.as_slice(), &expected, ACCELERATION);
-        let gravity = compiled.gravity_force(q, &s.gravity);
+        let gravity = compiled.gravity_force(q, &s.gravity).to_vector::<N>();
         close(
             "gravity",
             gravity.as_slice(),
@@ -105,6 +106,7 @@ pub fn check<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
         let internal = compiled.internal_force(q, p);
         close("internal", internal.as_slice(), &kernels.internal_force(slices.0, slices.3), POLYNOMIAL);
         consistent(compiled, &s, mass);
+        prepared(compiled, &s, &mass);
         if full {
             against_naive(compiled, &naive, &s);
         }
@@ -113,12 +115,13 @@ pub fn check<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
 
 /// What must hold at every fidelity: M w + Q + internal force = force, and energy and momenta belong to M.
 #[track_caller]
-fn consistent<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
+fn consistent<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
     body: &B,
     s: &Sample<M, N>,
     mass: SMatrix<f64, N, N>,
 ) {
-    let acceleration = body.forward_dynamics(&s.q, &s.omega, &s.q_dot, &s.force);
+    let force = GeneralisedForce::from_vector(&s.force);
+    let acceleration = body.forward_dynamics(&s.q, &s.omega, &s.q_dot, &force).to_vector::<N>();
     let mut residual = mass * acceleration + body.quadratic_velocity(&s.q, &s.omega, &s.q_dot) - s.force;
     let internal = body.internal_force(&s.q, &s.q_dot);
     for mu in 0..M {
@@ -140,13 +143,46 @@ fn consistent<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
     close("linear", linear.as_slice(), &momenta.as_slice()[..3], POLYNOMIAL);
     close("angular", angular.as_slice(), &momenta.as_slice()[3..6], POLYNOMIAL);
     close("kinetic", &[energy], &[0.5 * velocities.dot(&momenta)], POLYNOMIAL);
-    let weight = body.gravity_force(&s.q, &s.gravity);
+    let weight = body.gravity_force(&s.q, &s.gravity).to_vector::<N>();
     let columns = mass.fixed_columns::<3>(0) * s.gravity;
     close("gravity", weight.as_slice(), columns.as_slice(), POLYNOMIAL);
 }
 
+/// The prepared state holds the parts of the dense forms, and its elimination gives their accelerations.
 #[track_caller]
-fn against_naive<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
+fn prepared<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
+    body: &B,
+    s: &Sample<M, N>,
+    mass: &SMatrix<f64, N, N>,
+) {
+    let prepared = body.prepare(&s.q, &s.omega, &s.q_dot);
+    let rigid = mass.fixed_view::<6, 6>(0, 0).into_owned();
+    close("rigid mass", prepared.rigid_mass().as_slice(), rigid.as_slice(), POLYNOMIAL);
+    for (row, coupling) in prepared.coupling().into_iter().enumerate() {
+        let expected: Vec<f64> = (0..M).map(|mu| mass[(row, 6 + mu)]).collect();
+        close("coupling", coupling.as_slice(), &expected, POLYNOMIAL);
+    }
+    let modal = mass.view((6, 6), (M, M)).into_owned();
+    close("modal mass", body.modal_mass().dense().as_slice(), modal.as_slice(), POLYNOMIAL);
+    let quadratic = body.quadratic_velocity(&s.q, &s.omega, &s.q_dot);
+    close(
+        "prepared Q",
+        prepared.quadratic_velocity.to_vector::<N>().as_slice(),
+        quadratic.as_slice(),
+        POLYNOMIAL,
+    );
+    let internal = body.internal_force(&s.q, &s.q_dot);
+    close("prepared K q + D q̇", prepared.internal_force.as_slice(), internal.as_slice(), POLYNOMIAL);
+    close("mass", &[body.mass()], &[mass[(0, 0)]], 0.0);
+    let force = GeneralisedForce::from_vector(&s.force);
+    let factors = body.modal_mass().factor().and_then(|modal| prepared.eliminate(modal).factor());
+    let solved = factors.expect("positive definite").solve(&prepared.net_force(&force)).to_vector::<N>();
+    let expected = body.forward_dynamics(&s.q, &s.omega, &s.q_dot, &force).to_vector::<N>();
+    close("eliminated", solved.as_slice(), expected.as_slice(), ACCELERATION);
+}
+
+#[track_caller]
+fn against_naive<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
     body: &B,
     naive: &NaiveBody<M, N>,
     s: &Sample<M, N>,
@@ -155,8 +191,10 @@ fn against_naive<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
     close("mass", body.mass_matrix(q).as_slice(), naive.mass_matrix(q).as_slice(), POLYNOMIAL);
     let expected = naive.quadratic_velocity(q, w, p);
     close("quadratic", body.quadratic_velocity(q, w, p).as_slice(), expected.as_slice(), POLYNOMIAL);
-    let expected = naive.forward_dynamics(q, w, p, f);
-    close("acceleration", body.forward_dynamics(q, w, p, f).as_slice(), expected.as_slice(), ACCELERATION);
+    let force = GeneralisedForce::from_vector(f);
+    let expected = naive.forward_dynamics(q, w, p, &force).to_vector::<N>();
+    let acceleration = body.forward_dynamics(q, w, p, &force).to_vector::<N>();
+    close("acceleration", acceleration.as_slice(), expected.as_slice(), ACCELERATION);
     close("kinetic", &[body.kinetic_energy(q, v, w, p)], &[naive.kinetic_energy(q, v, w, p)], POLYNOMIAL);
     close("elastic", &[body.elastic_energy(q)], &[naive.elastic_energy(q)], POLYNOMIAL);
     close("stiffness", body.stiffness_matrix().as_slice(), naive.stiffness_matrix().as_slice(), POLYNOMIAL);
@@ -165,13 +203,14 @@ fn against_naive<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
 
 /// Mass matrix and accelerations of a single-precision body against the interpreter in double precision.
 #[track_caller]
-pub fn check_single<const M: usize, const N: usize, B: FlexibleBody<M, N, f32>>(body: &B, kernels: &Kernels) {
+pub fn check_single<const M: usize, const N: usize, B: DenseForms<M, N, f32>>(body: &B, kernels: &Kernels) {
     for s in samples::<M, N>() {
         let q = s.q.map(|x| x as f32);
         let (w, p, f) = (s.omega.map(|x| x as f32), s.q_dot.map(|x| x as f32), s.force.map(|x| x as f32));
         let mass = body.mass_matrix(&q).map(f64::from);
         close("mass", mass.as_slice(), &kernels.mass_matrix(s.q.as_slice()).concat(), SINGLE);
-        let acceleration = body.forward_dynamics(&q, &w, &p, &f).map(f64::from);
+        let force = GeneralisedForce::from_vector(&f);
+        let acceleration = body.forward_dynamics(&q, &w, &p, &force).to_vector::<N>().map(f64::from);
         let expected = kernels.forward_dynamics(
             s.q.as_slice(),
             s.omega.as_slice(),

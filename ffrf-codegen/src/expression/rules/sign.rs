@@ -63,13 +63,13 @@ pub(super) fn rule(graph: &mut Graph, node: Node) -> Option<Expression> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::Symbol;
+    use crate::expression::Input;
 
     #[test]
     fn signs_travel_outwards() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
-        let y = graph.symbol(Symbol::Coordinate(1));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
+        let y = graph.symbol(Input::COORDINATES.symbol(1));
         let minus_x = graph.negate(x);
         let minus_y = graph.negate(y);
         let product = graph.multiply(x, y);

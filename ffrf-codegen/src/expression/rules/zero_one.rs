@@ -44,12 +44,12 @@ pub(super) fn rule(graph: &mut Graph, node: Node) -> Option<Expression> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::Symbol;
+    use crate::expression::Input;
 
     #[test]
     fn zeros_and_ones_cost_nothing() {
         let mut graph = Graph::new();
-        let x = graph.symbol(Symbol::Coordinate(0));
+        let x = graph.symbol(Input::COORDINATES.symbol(0));
         let zero = graph.zero();
         let one = graph.one();
         assert_eq!(graph.add(x, zero), x);

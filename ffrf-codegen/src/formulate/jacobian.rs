@@ -6,12 +6,10 @@
 //! With run-time invariants and Θ_ff = I that takes a quarter fewer operations than differentiating the solution
 //! symbolically (M = 8: 12 221 against 15 859 for q, q̇ and ω together; the accelerations alone are 3 236).
 
+use super::{DeformedBody, Draft, State, forward_dynamics, internal_force, mass_matrix, quadratic_velocity};
 use crate::CodegenError;
 use crate::body::BodyExpressions;
-use crate::expression::{Expression, Graph, Symbol, differentiate, substitute};
-use crate::formulate::{
-    DeformedBody, State, forward_dynamics, internal_force, mass_matrix, quadratic_velocity,
-};
+use crate::expression::{Expression, Input, Symbol, differentiate, substitute};
 
 /// What a Jacobian is taken with respect to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -33,26 +31,20 @@ impl Variable {
     pub const ALL: [Self; 5] =
         [Self::Coordinates, Self::Rates, Self::AngularVelocity, Self::Velocity, Self::Force];
 
-    /// The symbols of its components, one for each column.
-    pub fn symbols(self, mode_count: usize) -> Vec<Symbol> {
+    /// The input whose entries it is.
+    pub fn input(self) -> Input {
         match self {
-            Self::Coordinates => (0..mode_count).map(Symbol::Coordinate).collect(),
-            Self::Rates => (0..mode_count).map(Symbol::Rate).collect(),
-            Self::AngularVelocity => (0..3).map(Symbol::AngularVelocity).collect(),
-            Self::Velocity => (0..3).map(Symbol::Velocity).collect(),
-            Self::Force => (0..6 + mode_count).map(Symbol::Force).collect(),
+            Self::Coordinates => Input::COORDINATES,
+            Self::Rates => Input::RATES,
+            Self::AngularVelocity => Input::ANGULAR_VELOCITY,
+            Self::Velocity => Input::VELOCITY,
+            Self::Force => Input::FORCE,
         }
     }
 
-    /// The word by which the generated code knows the variable.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Coordinates => "coordinates",
-            Self::Rates => "rates",
-            Self::AngularVelocity => "angular_velocity",
-            Self::Velocity => "velocity",
-            Self::Force => "force",
-        }
+    /// The symbols of its components, one for each column.
+    pub fn symbols(self, mode_count: usize) -> Vec<Symbol> {
+        self.input().symbols(mode_count).collect()
     }
 }
 
@@ -98,8 +90,8 @@ impl Jacobian {
 
     /// The residual R(q, ω, q̇, w, force) and its derivatives at constant w.
     ///
-    /// w are the symbols [`Symbol::Acceleration`]; ∂R/∂w is the mass matrix.
-    pub fn of_residual(graph: &mut Graph, body: &BodyExpressions) -> Self {
+    /// w are the symbols [`Input::ACCELERATION`]; ∂R/∂w is the mass matrix.
+    pub fn of_residual(graph: &mut Draft, body: &BodyExpressions) -> Self {
         let mode_count = body.mode_count();
         let state = State::symbolic(graph, mode_count);
         let deformed = DeformedBody::new(graph, body, &state);
@@ -110,14 +102,13 @@ impl Jacobian {
     /// The accelerations w(q, ω, q̇, force) and their derivatives.
     ///
     /// Errors: see [`forward_dynamics`].
-    pub fn of_accelerations(graph: &mut Graph, body: &BodyExpressions) -> Result<Self, CodegenError> {
+    pub fn of_accelerations(graph: &mut Draft, body: &BodyExpressions) -> Result<Self, CodegenError> {
         let mode_count = body.mode_count();
         let state = State::symbolic(graph, mode_count);
         let deformed = DeformedBody::new(graph, body, &state);
         let quadratic = quadratic_velocity(graph, body, &state, &deformed);
         let acceleration = forward_dynamics(graph, body, &state, &deformed, &quadratic)?;
         let residual = residual(graph, body, &state, &deformed, &quadratic);
-        graph.hold_section("Derivatives of the accelerations");
 
         // A body without internal forces whose quadratic velocity vector is zero: w = M⁻¹ force.
         let zero = graph.zero();
@@ -127,7 +118,7 @@ impl Jacobian {
         }
         let nothing = vec![zero; 6 + mode_count];
         let mut failure = None;
-        let mut solution = |graph: &mut Graph, right_hand_side: Vec<Expression>| {
+        let mut solution = |graph: &mut Draft, right_hand_side: Vec<Expression>| {
             let state = State { force: right_hand_side, ..state.clone() };
             let solved = forward_dynamics(graph, &inertia_only, &state, &deformed, &nothing);
             solved.unwrap_or_else(|error| {
@@ -135,27 +126,28 @@ impl Jacobian {
                 nothing.clone()
             })
         };
-        let jacobian = Self::of(acceleration.clone(), |variable| {
-            let columns = residual.columns(variable).iter();
-            columns
-                .map(|column| {
-                    let column = substitute(graph, column, |symbol| match symbol {
-                        Symbol::Acceleration(row) => acceleration.get(row).copied(),
-                        _ => None,
-                    });
-                    let negative = column.into_iter().map(|entry| graph.negate(entry)).collect();
-                    solution(graph, negative)
-                })
-                .collect()
+        let jacobian = graph.within_section("Derivatives of the accelerations", |graph| {
+            Self::of(acceleration.clone(), |variable| {
+                let columns = residual.columns(variable).iter();
+                columns
+                    .map(|column| {
+                        let column = substitute(graph, column, |symbol| match symbol {
+                            Symbol::Input(Input::ACCELERATION, row) => acceleration.get(row).copied(),
+                            _ => None,
+                        });
+                        let negative = column.into_iter().map(|entry| graph.negate(entry)).collect();
+                        solution(graph, negative)
+                    })
+                    .collect()
+            })
         });
-        graph.release_section();
         failure.map_or(Ok(jacobian), Err)
     }
 }
 
 /// R = M w + Q + [0; 0; K q + D q̇] - force with its derivatives.
 fn residual(
-    graph: &mut Graph,
+    graph: &mut Draft,
     body: &BodyExpressions,
     state: &State,
     deformed: &DeformedBody,
@@ -166,7 +158,7 @@ fn residual(
     graph.section("Residual M w + Q + K q + D q̇ - force");
     let internal = internal_force(graph, body, state);
     let acceleration: Vec<_> =
-        (0..6 + mode_count).map(|column| graph.symbol(Symbol::Acceleration(column))).collect();
+        Input::ACCELERATION.symbols(mode_count).map(|symbol| graph.symbol(symbol)).collect();
     let mut value = Vec::with_capacity(6 + mode_count);
     for row in 0..6 + mode_count {
         let start = graph.subtract(quadratic[row], state.force[row]);

@@ -20,10 +20,10 @@ impl Names {
         let mut names: Vec<Option<String>> = vec![None; uses.len()];
         for (handle, _) in graph.nodes().take(uses.len()) {
             if let Some(label) = graph.label_of(handle).filter(|_| uses[handle.index()] > 0) {
-                let mut name = label.0.clone();
+                let mut name = label.to_owned();
                 let mut copy = 2;
                 while !taken.insert(name.clone()) {
-                    name = format!("{}_{copy}", label.0);
+                    name = format!("{label}_{copy}");
                     copy += 1;
                 }
                 names[handle.index()] = Some(name);

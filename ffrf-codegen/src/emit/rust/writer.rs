@@ -1,0 +1,107 @@
+//! Lines with their indentation.
+
+/// Width of generated lines.
+pub(super) const LINE_WIDTH: usize = 110;
+
+/// Text that grows line by line.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Writer {
+    text: String,
+    depth: usize,
+}
+
+impl Writer {
+    /// The text.
+    pub(super) fn finish(self) -> String {
+        self.text
+    }
+
+    /// A line, or several, each indented.
+    pub(super) fn line(&mut self, text: impl AsRef<str>) {
+        for line in text.as_ref().lines() {
+            if !line.trim_end().is_empty() {
+                self.text.push_str(&"    ".repeat(self.depth));
+                self.text.push_str(line.trim_end());
+            }
+            self.text.push('\n');
+        }
+    }
+
+    /// An empty line.
+    pub(super) fn blank(&mut self) {
+        self.text.push('\n');
+    }
+
+    /// Lines of documentation.
+    pub(super) fn documentation<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
+        for line in lines {
+            self.line(format!("/// {}", line.as_ref()));
+        }
+    }
+
+    /// `open`, then what `write` writes, one level deeper, then `close`.
+    pub(super) fn block(&mut self, open: &str, close: &str, write: impl FnOnce(&mut Self)) {
+        self.line(open);
+        self.depth += 1;
+        write(self);
+        self.depth -= 1;
+        self.line(close);
+    }
+
+    /// A function: its head on one line if it fits and `may_be_short`, else one argument a line; then its body.
+    pub(super) fn function(&mut self, head: &FunctionHead<'_>, body: impl FnOnce(&mut Self)) {
+        let FunctionHead { name, inputs, result, may_be_short } = head;
+        let arrow = if result.is_empty() { String::new() } else { format!(" -> {result}") };
+        let short = format!("fn {name}({}){arrow} {{", inputs.join(", "));
+        if *may_be_short && short.len() <= LINE_WIDTH - 4 {
+            self.line(short);
+        } else {
+            self.line(format!("fn {name}("));
+            self.depth += 1;
+            for input in *inputs {
+                self.line(format!("{input},"));
+            }
+            self.depth -= 1;
+            self.line(format!("){arrow} {{"));
+        }
+        self.depth += 1;
+        body(self);
+        self.depth -= 1;
+        self.line("}");
+    }
+}
+
+/// What stands before the body of a function.
+pub(super) struct FunctionHead<'a> {
+    /// Name with generics.
+    pub(super) name: &'a str,
+    /// Arguments with their types.
+    pub(super) inputs: &'a [String],
+    /// Type of the result, empty if there is none.
+    pub(super) result: &'a str,
+    /// Whether it may stand on one line.
+    pub(super) may_be_short: bool,
+}
+
+/// `[a, b, c]` on one line if it fits beside what is `taken` of the line, else several entries a line.
+pub(super) fn bracketed(entries: &[String], taken: usize) -> String {
+    let single = format!("[{}]", entries.join(", "));
+    if taken + single.len() <= LINE_WIDTH - 16 {
+        return single;
+    }
+    let mut lines = vec!["[".to_owned()];
+    let mut line = String::new();
+    for entry in entries {
+        if !line.is_empty() && line.len() + entry.len() + 2 > LINE_WIDTH - 20 {
+            lines.push(format!("    {}", line.trim_end()));
+            line.clear();
+        }
+        line.push_str(entry);
+        line.push_str(", ");
+    }
+    if !line.is_empty() {
+        lines.push(format!("    {}", line.trim_end()));
+    }
+    lines.push("]".to_owned());
+    lines.join("\n")
+}
