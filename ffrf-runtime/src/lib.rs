@@ -45,7 +45,7 @@ pub mod rotation;
 pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
     GeneralisedForce, Increment, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
-    NamedMarkers, Observables, PlacedMarker, Prepared, RigidBody, State, Wrench,
+    NamedMarkers, Observables, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State, Wrench,
 };
 pub use forces::{Frame, Gravity, Load, MarkerLoad};
 pub use integrators::{

@@ -4,6 +4,10 @@
 use approx::assert_relative_eq;
 use ffrf_runtime::nalgebra::{UnitQuaternion, Vector2, Vector3};
 use ffrf_runtime::{FreeBody, Gravity, Observables, State};
+use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::{CONSERVED_BY_RK4, ROUND_OFF, SLOPE};
 
 type Body = FreeBody<NaiveBody<2, 8>>;
 

@@ -5,6 +5,9 @@ use ffrf_runtime::nalgebra::{SVector, UnitQuaternion, Vector3};
 use ffrf_runtime::{
     DenseForms, Frame, FreeBody, GeneralisedForce, Gravity, Load, MarkerLoad, Observables, State,
 };
+use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::{CENTRED_DIFFERENCE, CONSERVED_BY_RK4, ROUND_OFF, SOLVED};
 
 type Kernels = NaiveBody<3, 9>;
 type Modal = SVector<f64, 3>;

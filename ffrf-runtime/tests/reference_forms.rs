@@ -5,6 +5,8 @@
 use ffrf_runtime::forms::{EulerParameterForm, InertialForm, to_body, to_inertial};
 use ffrf_runtime::nalgebra::{Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
 use ffrf_runtime::{DenseForms, FlexibleBody, rotation};
+use ffrf_test_kit::naive_body::{Invariants, NaiveBody};
+use ffrf_test_kit::tolerances::{REFERENCE_ACCELERATION, REFERENCE_MATRICES};
 use serde_json::Value;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/reference");

@@ -2,6 +2,8 @@
 
 use ffrf_runtime::nalgebra::{SVector, Vector3};
 use ffrf_runtime::{FreeBody, GeneralisedForce, State, StepError};
+use ffrf_test_kit::bodies::{cloud, rigid};
+use ffrf_test_kit::naive_body::{Invariants, NaiveBody};
 use proptest::prelude::*;
 
 type RigidState = State<SVector<f64, 0>>;

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, ImplicitBody, Increment, ModalVector, State};
+use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, State};
 use crate::forces::Load;
 use crate::integrators::{LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace};
 
@@ -55,10 +55,7 @@ where
         let state = origin.retract(increment);
         let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
         self.load.add_to(self.body, time, &state, &mut force);
-        let State { modal_coordinates, angular_velocity, modal_rates, .. } = &state;
-        let accelerations =
-            self.body.forward_dynamics(modal_coordinates, angular_velocity, modal_rates, &force);
-        Ok(increment.rate(&state, accelerations))
+        Ok(increment.rate_under(self.body, &state, &force))
     }
 
     fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
@@ -103,12 +100,10 @@ where
         subtracted: Option<&Self::Increment>,
     ) -> Result<Self::Increment, StepError> {
         let state = origin.retract(increment);
-        let stage = ImplicitBody::new(self.body, &state, gamma_h).ok_or(StepError::MassNotPositive)?;
         let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
         self.load.add_to(self.body, time, &state, &mut force);
-        let right = stage.right(self.body, &state, &force, subtracted);
-        let factors = stage.eliminated.factor().ok_or(StepError::MassNotPositive)?;
-        let accelerations = factors.solve(&right);
-        Ok(increment.implicit_rate(&state, accelerations, gamma_h, subtracted))
+        increment
+            .implicit_rate_under(self.body, &state, &force, gamma_h, subtracted)
+            .ok_or(StepError::MassNotPositive)
     }
 }

@@ -76,4 +76,19 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
         }
         rate
     }
+
+    /// [`implicit_rate`](Self::implicit_rate) of a free body under `force`; `None` if its mass is not positive definite.
+    pub(crate) fn implicit_rate_under<B: FlexibleBody<T, Modal = V>>(
+        &self,
+        body: &B,
+        state: &State<V, T>,
+        force: &GeneralisedForce<V, T>,
+        gamma_h: T,
+        subtracted: Option<&Self>,
+    ) -> Option<Self> {
+        let stage = ImplicitBody::new(body, state, gamma_h)?;
+        let right = stage.right(body, state, force, subtracted);
+        let accelerations = stage.eliminated.factor()?.solve(&right);
+        Some(self.implicit_rate(state, accelerations, gamma_h, subtracted))
+    }
 }

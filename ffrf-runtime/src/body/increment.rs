@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::{ModalVector, Motion, State};
+use super::{FlexibleBody, GeneralisedForce, ModalVector, Motion, State};
 use crate::integrators::{LocalError, Tolerances};
 use crate::rotation::{cayley_rate, turned};
 
@@ -84,6 +84,20 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
             angular_velocity: accelerations.angular,
             modal_rates: accelerations.modal,
         }
+    }
+}
+
+impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
+    /// [`rate`](Self::rate) of a free body under `force`.
+    #[inline]
+    pub(crate) fn rate_under<B: FlexibleBody<T, Modal = V>>(
+        &self,
+        body: &B,
+        state: &State<V, T>,
+        force: &GeneralisedForce<V, T>,
+    ) -> Self {
+        let State { modal_coordinates, angular_velocity, modal_rates, .. } = state;
+        self.rate(state, body.forward_dynamics(modal_coordinates, angular_velocity, modal_rates, force))
     }
 }
 

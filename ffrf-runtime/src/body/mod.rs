@@ -13,6 +13,7 @@ mod modal_vector;
 mod motion;
 mod named_markers;
 mod observables;
+mod pair;
 mod prepared;
 mod rigid_body;
 mod state;
@@ -29,6 +30,7 @@ pub use modal_vector::ModalVector;
 pub use motion::{GeneralisedForce, Motion};
 pub use named_markers::NamedMarkers;
 pub use observables::Observables;
+pub use pair::{Pair, PairSystem};
 pub use prepared::{Eliminated, Factored, Prepared};
 
 pub(crate) use implicit::ImplicitBody;

@@ -15,6 +15,9 @@ pub const CONSERVED_BY_RK4: f64 = 1e-9;
 /// A centred difference with step 1e-5 of functions of order one: h² plus eps / h.
 pub const CENTRED_DIFFERENCE: f64 = 1e-8;
 
+/// Derivatives by dual numbers against formulas, of motions with rates of order one: round-off of sums of some hundred.
+pub const DERIVED: f64 = 1e-12;
+
 /// Mass matrices and quadratic velocity vectors against the reference, relative to the natural scale of each entry.
 pub const REFERENCE_MATRICES: f64 = 1e-12;
 

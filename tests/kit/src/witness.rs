@@ -6,6 +6,7 @@ use ffrf_runtime::nalgebra::{SMatrix, SVector, Vector3};
 use ffrf_runtime::{DenseForms, FlexibleBody, GeneralisedForce, Observables};
 
 use crate::naive_body::{Invariants, NaiveBody};
+use crate::provided::Provided;
 use crate::random::Random;
 
 /// Kernels of polynomials: a few hundred operations on numbers of one size.
@@ -84,8 +85,7 @@ pub fn check<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
         let slices = (q.as_slice(), v.as_slice(), w.as_slice(), p.as_slice(), f.as_slice());
         let mass = compiled.mass_matrix(q);
         let quadratic = compiled.quadratic_velocity(q, w, p);
-        let applied = GeneralisedForce::from_vector(f);
-        let acceleration = compiled.forward_dynamics(q, w, p, &applied).to_vector::<N>();
+        let acceleration = accelerations(compiled, &s);
         let together = compiled.equations_of_motion(q, w, p, f);
         close("mass", together.mass_matrix.as_slice(), mass.as_slice(), POLYNOMIAL);
         close("quadratic", together.quadratic_velocity.as_slice(), quadratic.as_slice(), POLYNOMIAL);
@@ -106,11 +106,48 @@ pub fn check<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
         let internal = compiled.internal_force(q, p);
         close("internal", internal.as_slice(), &kernels.internal_force(slices.0, slices.3), POLYNOMIAL);
         consistent(compiled, &s, mass);
-        prepared(compiled, &s, &mass);
+        prepared(compiled, &s);
         if full {
             against_naive(compiled, &naive, &s);
         }
     }
+}
+
+/// The accelerations at a state, one below the other.
+fn accelerations<const M: usize, const N: usize, B: DenseForms<M, N>>(
+    body: &B,
+    s: &Sample<M, N>,
+) -> SVector<f64, N> {
+    let force = GeneralisedForce::from_vector(&s.force);
+    body.forward_dynamics(&s.q, &s.omega, &s.q_dot, &force).to_vector()
+}
+
+/// The body's own `prepare` and constants, which joints and implicit steps use, against its other kernels.
+#[track_caller]
+fn prepared<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(body: &B, s: &Sample<M, N>) {
+    let (q, v, w, p) = (&s.q, &s.velocity, &s.omega, &s.q_dot);
+    let provided = Provided(body);
+    let mass: SMatrix<f64, N, N> = provided.mass_matrix(q);
+    close("prepared mass", mass.as_slice(), body.mass_matrix(q).as_slice(), POLYNOMIAL);
+    let quadratic: SVector<f64, N> = provided.quadratic_velocity(q, w, p);
+    let expected = body.quadratic_velocity(q, w, p);
+    close("prepared quadratic", quadratic.as_slice(), expected.as_slice(), POLYNOMIAL);
+    let internal = body.prepare(q, w, p).internal_force;
+    close("prepared internal", internal.as_slice(), body.internal_force(q, p).as_slice(), POLYNOMIAL);
+    let internal = provided.internal_force(q, p);
+    close("constant matrices", internal.as_slice(), body.internal_force(q, p).as_slice(), POLYNOMIAL);
+    let weight = provided.gravity_force(q, &s.gravity).to_vector::<N>();
+    let expected = body.gravity_force(q, &s.gravity).to_vector::<N>();
+    close("prepared gravity", weight.as_slice(), expected.as_slice(), POLYNOMIAL);
+    let expected = accelerations(body, s);
+    close("eliminated", accelerations(&provided, s).as_slice(), expected.as_slice(), ACCELERATION);
+    let observed = |body: &dyn Observables<Modal = SVector<f64, M>>| {
+        let (linear, angular) = (body.linear_momentum(q, v, w, p), body.angular_momentum(q, v, w, p));
+        let moment = body.first_mass_moment(q);
+        let vectors = [linear, angular, moment].map(<[f64; 3]>::from).concat();
+        [&[body.kinetic_energy(q, v, w, p), body.elastic_energy(q), body.mass()], vectors.as_slice()].concat()
+    };
+    close("prepared observables", &observed(&provided), &observed(body), POLYNOMIAL);
 }
 
 /// What must hold at every fidelity: M w + Q + internal force = force, and energy and momenta belong to M.
@@ -120,8 +157,7 @@ fn consistent<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>
     s: &Sample<M, N>,
     mass: SMatrix<f64, N, N>,
 ) {
-    let force = GeneralisedForce::from_vector(&s.force);
-    let acceleration = body.forward_dynamics(&s.q, &s.omega, &s.q_dot, &force).to_vector::<N>();
+    let acceleration = accelerations(body, s);
     let mut residual = mass * acceleration + body.quadratic_velocity(&s.q, &s.omega, &s.q_dot) - s.force;
     let internal = body.internal_force(&s.q, &s.q_dot);
     for mu in 0..M {
@@ -148,53 +184,18 @@ fn consistent<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>
     close("gravity", weight.as_slice(), columns.as_slice(), POLYNOMIAL);
 }
 
-/// The prepared state holds the parts of the dense forms, and its elimination gives their accelerations.
-#[track_caller]
-fn prepared<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
-    body: &B,
-    s: &Sample<M, N>,
-    mass: &SMatrix<f64, N, N>,
-) {
-    let prepared = body.prepare(&s.q, &s.omega, &s.q_dot);
-    let rigid = mass.fixed_view::<6, 6>(0, 0).into_owned();
-    close("rigid mass", prepared.rigid_mass().as_slice(), rigid.as_slice(), POLYNOMIAL);
-    for (row, coupling) in prepared.coupling().into_iter().enumerate() {
-        let expected: Vec<f64> = (0..M).map(|mu| mass[(row, 6 + mu)]).collect();
-        close("coupling", coupling.as_slice(), &expected, POLYNOMIAL);
-    }
-    let modal = mass.view((6, 6), (M, M)).into_owned();
-    close("modal mass", body.modal_mass().dense().as_slice(), modal.as_slice(), POLYNOMIAL);
-    let quadratic = body.quadratic_velocity(&s.q, &s.omega, &s.q_dot);
-    close(
-        "prepared Q",
-        prepared.quadratic_velocity.to_vector::<N>().as_slice(),
-        quadratic.as_slice(),
-        POLYNOMIAL,
-    );
-    let internal = body.internal_force(&s.q, &s.q_dot);
-    close("prepared K q + D q̇", prepared.internal_force.as_slice(), internal.as_slice(), POLYNOMIAL);
-    close("mass", &[body.mass()], &[mass[(0, 0)]], 0.0);
-    let force = GeneralisedForce::from_vector(&s.force);
-    let factors = body.modal_mass().factor().and_then(|modal| prepared.eliminate(modal).factor());
-    let solved = factors.expect("positive definite").solve(&prepared.net_force(&force)).to_vector::<N>();
-    let expected = body.forward_dynamics(&s.q, &s.omega, &s.q_dot, &force).to_vector::<N>();
-    close("eliminated", solved.as_slice(), expected.as_slice(), ACCELERATION);
-}
-
 #[track_caller]
 fn against_naive<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
     body: &B,
     naive: &NaiveBody<M, N>,
     s: &Sample<M, N>,
 ) {
-    let (q, v, w, p, f) = (&s.q, &s.velocity, &s.omega, &s.q_dot, &s.force);
+    let (q, v, w, p) = (&s.q, &s.velocity, &s.omega, &s.q_dot);
     close("mass", body.mass_matrix(q).as_slice(), naive.mass_matrix(q).as_slice(), POLYNOMIAL);
     let expected = naive.quadratic_velocity(q, w, p);
     close("quadratic", body.quadratic_velocity(q, w, p).as_slice(), expected.as_slice(), POLYNOMIAL);
-    let force = GeneralisedForce::from_vector(f);
-    let expected = naive.forward_dynamics(q, w, p, &force).to_vector::<N>();
-    let acceleration = body.forward_dynamics(q, w, p, &force).to_vector::<N>();
-    close("acceleration", acceleration.as_slice(), expected.as_slice(), ACCELERATION);
+    let expected = accelerations(naive, s);
+    close("acceleration", accelerations(body, s).as_slice(), expected.as_slice(), ACCELERATION);
     close("kinetic", &[body.kinetic_energy(q, v, w, p)], &[naive.kinetic_energy(q, v, w, p)], POLYNOMIAL);
     close("elastic", &[body.elastic_energy(q)], &[naive.elastic_energy(q)], POLYNOMIAL);
     close("stiffness", body.stiffness_matrix().as_slice(), naive.stiffness_matrix().as_slice(), POLYNOMIAL);
