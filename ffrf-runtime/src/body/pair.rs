@@ -104,6 +104,17 @@ where
         })
     }
 
+    fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
+        Pair {
+            first: increment.first.place_rate(&origin.first.retract(&increment.first)),
+            second: increment.second.place_rate(&origin.second.retract(&increment.second)),
+        }
+    }
+
+    fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment {
+        Pair { first: increment.first.velocities_only(), second: increment.second.velocities_only() }
+    }
+
     fn local_error(&self, difference: &Self::Increment) -> LocalError<T> {
         difference.first.local_error().or(difference.second.local_error())
     }
