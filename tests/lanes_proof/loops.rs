@@ -154,6 +154,7 @@ fn run<const M: usize, const N: usize, const G: usize, P: MomentTable<Symbolic, 
         let plain = |list: &[Symbolic]| -> Vec<Expression> { list.iter().map(|entry| entry.0).collect() };
         let columns: [[Symbolic; N]; N] = body.mass_matrix(&state);
         let quadratic: [Symbolic; N] = body.quadratic_velocity(&state);
+        prepared_parts_are_those_of(&columns, &quadratic, body.prepare(&state));
         Loops {
             mass_matrix: columns.iter().map(|column| plain(column)).collect(),
             quadratic_velocity: plain(&quadratic),
@@ -162,4 +163,30 @@ fn run<const M: usize, const N: usize, const G: usize, P: MomentTable<Symbolic, 
             angular_momentum: plain(&body.angular_momentum(&state, &velocity, &omega)),
         }
     })
+}
+
+/// What the loops prepare: mass, first moment, inertia, rows of m B, rows of Θ_rf, quadratic velocity vector.
+type Parts<const M: usize, const N: usize> =
+    (Symbolic, [Symbolic; 3], [[Symbolic; 3]; 3], [[Symbolic; M]; 3], [[Symbolic; M]; 3], [Symbolic; N]);
+
+/// The prepared state is made of the expressions of the dense forms, so that what is proven of these holds for it.
+fn prepared_parts_are_those_of<const M: usize, const N: usize>(
+    columns: &[[Symbolic; N]; N],
+    quadratic: &[Symbolic; N],
+    (mass, first_moment, inertia, momentum, coupling, prepared): Parts<M, N>,
+) {
+    for axis in 0..3 {
+        assert_eq!(columns[axis][axis].0, mass.0);
+        // m r~ in the columns of the rotation: x, y, z where they have no sign.
+        let (column, row) = [(5, 1), (3, 2), (4, 0)][axis];
+        assert_eq!(columns[column][row].0, first_moment[axis].0);
+        for other in 0..3 {
+            assert_eq!(columns[3 + axis][3 + other].0, inertia[axis][other].0);
+        }
+        for mu in 0..M {
+            assert_eq!(columns[6 + mu][axis].0, momentum[axis][mu].0);
+            assert_eq!(columns[6 + mu][3 + axis].0, coupling[axis][mu].0);
+        }
+    }
+    assert!(quadratic.iter().zip(&prepared).all(|(one, other)| one.0 == other.0));
 }

@@ -6,9 +6,10 @@ use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
 use ffrf_codegen::expression::{Expression, Input, dot};
 use ffrf_codegen::fidelity::Fidelity;
+use ffrf_codegen::formulate::kernels::PREPARE;
 use ffrf_codegen::formulate::{
-    DeformedBody, Draft, State, angular_momentum, gravity_force, kinetic_energy, linear_momentum,
-    mass_matrix, quadratic_velocity,
+    DeformedBody, Draft, State, angular_momentum, gravity_force, internal_force, kinetic_energy,
+    linear_momentum, mass_matrix, quadratic_velocity,
 };
 use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::layout::{Layout, Structure};
@@ -75,6 +76,9 @@ fn prove(mode_count: usize, layout: &Layout, fidelity: &Fidelity) -> usize {
     let deformed = DeformedBody::new(g, &body, &state);
     let columns = mass_matrix(g, &body, &deformed);
     let quadratic = quadratic_velocity(g, &body, &state, &deformed);
+    let prepared = (PREPARE.formulate)(g, &body, &state, &deformed).unwrap();
+    let internal = internal_force(g, &body, &state);
+    assert_eq!(prepared, parts(&columns, &quadratic, &internal), "{case}: prepared state");
     let mut found = vec![kinetic_energy(g, &body, &state, &deformed)];
     found.extend(linear_momentum(g, &body, &state, &deformed));
     found.extend(angular_momentum(g, &state, &deformed));
@@ -87,6 +91,20 @@ fn prove(mode_count: usize, layout: &Layout, fidelity: &Fidelity) -> usize {
     let expected = polynomials_of(&graph, &expected).unwrap();
     assert_eq!(found, expected, "{case}: energy, momenta or gravity");
     slow.monomials() + expected.iter().map(|polynomial| polynomial.term_count()).sum::<usize>()
+}
+
+/// What a prepared state holds, taken from the dense forms: the same expressions, proven with them.
+fn parts(columns: &[Vec<Expression>], quadratic: &[Expression], internal: &[Expression]) -> Vec<Expression> {
+    // m r~ in the columns of the rotation: x, y, z where they have no sign.
+    let first_moment = [columns[5][1], columns[3][2], columns[4][0]];
+    let modal = |row: usize| columns[6..].iter().map(move |column| column[row]);
+    let mut parts = vec![columns[0][0]];
+    parts.extend(first_moment);
+    parts.extend((0..9).map(|k| columns[3 + k / 3][3 + k % 3]));
+    parts.extend((0..6).flat_map(modal));
+    parts.extend(quadratic);
+    parts.extend(internal);
+    parts
 }
 
 fn prove_all(mode_counts: &[usize], layouts: &[Layout], fidelities: &[Fidelity]) {

@@ -109,9 +109,12 @@ impl<V: ModalVector<T>, T: RealField + Copy> Prepared<V, T> {
         for (j, followed) in followed.iter().enumerate() {
             for (i, row) in coupling.iter().enumerate().skip(j) {
                 let entry = row.dot(followed);
-                remaining[(i, j)] -= entry;
-                if i > j {
-                    remaining[(j, i)] -= entry;
+                // `get_mut` and not an index: these loops are not unrolled, and nothing here may panic
+                if let Some(place) = remaining.get_mut((i, j)) {
+                    *place -= entry;
+                }
+                if let Some(place) = remaining.get_mut((j, i)).filter(|_| i > j) {
+                    *place -= entry;
                 }
             }
         }

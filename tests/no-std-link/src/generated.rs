@@ -1,7 +1,7 @@
 //! Generated bodies: statements, loops over a whole table, loops over half of it, every number type, invariants at run time.
 
 use ffrf::nalgebra::{SVector, Vector3};
-use ffrf::{FlexibleBody, FreeBody, flexible_body};
+use ffrf::{DenseForms, FreeBody, GeneralisedForce, NamedMarkers, Observables, flexible_body};
 
 include!(concat!(env!("OUT_DIR"), "/ManyModes.rs"));
 include!(concat!(env!("OUT_DIR"), "/DenseModalMass.rs"));
@@ -71,8 +71,12 @@ fn fields() -> Fields {
 }
 
 /// Whether a spinning, vibrating body keeps its energy over some steps of both integrators, and every kernel runs.
-fn flies<const M: usize, const N: usize>(body: impl FlexibleBody<M, N> + Copy, step: f64, q: f64) -> bool {
-    let mut flight = FreeBody::<_, M, N>::new(body)
+fn flies<const M: usize, const N: usize>(
+    body: impl DenseForms<M, N> + Observables + Copy,
+    step: f64,
+    q: f64,
+) -> bool {
+    let mut flight = FreeBody::new(body)
         .with_spin(Vector3::new(0.5, 2.0, 0.1))
         .with_deformation(SVector::repeat(q), SVector::zeros());
     let energy = flight.kinetic_energy() + flight.elastic_energy();
@@ -96,7 +100,8 @@ fn flies<const M: usize, const N: usize>(body: impl FlexibleBody<M, N> + Copy, s
         &mut written.quadratic_velocity,
         &mut written.acceleration,
     );
-    let alone = body.forward_dynamics(&q, &omega, &q_dot, &force);
+    let resultant = GeneralisedForce::from_vector(&force);
+    let alone = body.forward_dynamics(&q, &omega, &q_dot, &resultant).to_vector::<N>();
     let same = (alone - equations.acceleration).amax() <= 1e-9 * alone.amax()
         && (written.mass_matrix - body.mass_matrix(&q)).amax() <= 1e-12 * written.mass_matrix.amax();
     // Damping may take energy, nothing may give it.
