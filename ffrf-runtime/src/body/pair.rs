@@ -105,8 +105,10 @@ where
     }
 
     fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
-        let Pair { first, second } = self.retract(origin, increment);
-        Pair { first: increment.first.place_rate(&first), second: increment.second.place_rate(&second) }
+        Pair {
+            first: increment.first.place_rate(&origin.first.retract(&increment.first)),
+            second: increment.second.place_rate(&origin.second.retract(&increment.second)),
+        }
     }
 
     fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment {
