@@ -2,8 +2,10 @@
 //!
 //! ```text
 //! ReducedBody --layout--> BodyExpressions --formulate--> Kernel --passes--> Kernel
-//!             --validate--> ValidKernel --emit--> text and tokens
+//!             --validate--> ValidKernel --listing--> sections, statements, trees --printer--> text and tokens
 //! ```
+//!
+//! Two tables hold what there is: [`invariants`] those of a body, [`formulate::KERNELS`] what is computed from them.
 //!
 //! One generator, three doors: the macro `ffrf::flexible_body!`, the command `ffrf generate`, and a build script
 //! that calls [`generate`] and writes [`GeneratedCode::text`] to a file. A pure library: no files, no environment.
