@@ -3,6 +3,7 @@
 use nalgebra::{RealField, SVector, Vector3};
 
 use super::ModalVector;
+use crate::math::array;
 
 /// Velocities or accelerations of a body, or a small change of its place.
 ///
@@ -64,11 +65,10 @@ macro_rules! three_parts {
             #[inline(always)]
             pub fn to_vector<const N: usize>(&self) -> SVector<T, N> {
                 const { assert!(N == 6 + M, "a body with M modes has N = 6 + M velocities") };
-                let rigid = self.$first.as_slice().iter().chain(self.$second.as_slice());
                 let mut vector = [T::zero(); N];
-                for (place, entry) in vector.iter_mut().zip(rigid.chain(self.modal.as_slice())) {
-                    *place = *entry;
-                }
+                vector[..3].copy_from_slice(array(&self.$first));
+                vector[3..6].copy_from_slice(array(&self.$second));
+                vector[6..].copy_from_slice(array(&self.modal));
                 crate::math::vector(vector)
             }
 
@@ -94,17 +94,13 @@ impl<V: ModalVector<T>, T: RealField + Copy> GeneralisedForce<V, T> {
     }
 }
 
-/// The `K` entries of a vector from `start` on; zero beyond its end.
-///
-/// In plain loops: an iterator over a view can panic for all that the optimiser sees of it.
+/// The `K` entries of a vector from `start` on, which it has.
 #[inline(always)]
 fn part<const K: usize, const N: usize, T: RealField + Copy>(
     vector: &SVector<T, N>,
     start: usize,
 ) -> SVector<T, K> {
     let mut part = [T::zero(); K];
-    for (place, entry) in part.iter_mut().zip(vector.as_slice().iter().skip(start)) {
-        *place = *entry;
-    }
+    part.copy_from_slice(&array(vector)[start..start + K]);
     crate::math::vector(part)
 }
