@@ -3,7 +3,8 @@
 //! The kernels here are hand-arranged for the least work; that they are the derivatives of the kinetic energy is
 //! proven by comparing them, as polynomials, with [`crate::derive`].
 
-mod inverse;
+mod constant_factors;
+mod factors;
 mod kernel;
 mod modal_mass;
 mod observables;
@@ -12,8 +13,9 @@ mod solve;
 mod state;
 mod structured;
 
+pub use constant_factors::ConstantFactors;
 pub use kernel::{Argument, Kernel, KernelKind, OutputShape};
-pub use modal_mass::inverse_modal_mass;
+pub use modal_mass::ModalFactors;
 pub use observables::{
     angular_momentum, elastic_energy, gravity_force, internal_force, kinetic_energy, linear_momentum,
 };

@@ -6,7 +6,6 @@
 //! ```
 
 mod choice;
-mod compliance;
 mod kernels_text;
 mod moment_tables;
 mod parameters;
@@ -18,7 +17,7 @@ pub(crate) use choice::choose;
 pub use choice::tables_of;
 pub use moment_tables::MomentTables;
 pub(crate) use parameters::{LaneParameters, choose_parameters};
-pub use table::{ModalMatrix, Table};
+pub use table::{ModalFactors, ModalMatrix, Table};
 pub use tables::LaneTables;
 pub use text::IN_LANES;
 pub(crate) use text::{functions, trait_method};

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::kernels_text::{Form, KernelText};
-use super::{LaneTables, ModalMatrix, MomentTables, Table};
+use super::{LaneTables, ModalFactors, ModalMatrix, MomentTables, Table};
 use crate::ScalarType;
 use crate::emit::literal;
 use crate::formulate::KernelKind;
@@ -148,6 +148,15 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
     );
     let position_mode_odd =
         optional("POSITION_MODE_ODD", "ϑ_μ. Layout: group, axis, lane.", &tables.position_mode_odd);
+    let eliminated_first_moment = if tables.eliminated_first_moment == tables.modal_first_moment {
+        modal_first_moment.clone()
+    } else {
+        optional(
+            "ELIMINATED_FIRST_MOMENT",
+            "L⁻¹ (m B)ᵀ with Θ_ff = L D Lᵀ. Layout: group, axis, lane.",
+            &tables.eliminated_first_moment,
+        )
+    };
     let mut matrix = |name: &str, meaning: &str, matrix: &ModalMatrix| match matrix {
         ModalMatrix::Zero => "support::lanes::ModalMatrix::Zero".to_owned(),
         ModalMatrix::Identity => "support::lanes::ModalMatrix::Identity".to_owned(),
@@ -166,9 +175,21 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
     } else {
         matrix("TRACE", "tr T_μν", &tables.trace)
     };
-    let modal_compliance = matrix("MODAL_COMPLIANCE", "Θ_ff⁻¹", &tables.modal_compliance);
     let stiffness = matrix("STIFFNESS", "K_ff", &tables.stiffness);
     let damping = matrix("DAMPING", "D_ff", &tables.damping);
+    let modal_factors = match &tables.modal_factors {
+        ModalFactors::Identity => "support::lanes::ModalFactors::Identity".to_owned(),
+        ModalFactors::Diagonal(table) => {
+            item("INVERSE_MODAL_MASS", "Θ_ff⁻¹. Layout: group, lane.", table);
+            "support::lanes::ModalFactors::Diagonal(&INVERSE_MODAL_MASS)".to_owned()
+        }
+        ModalFactors::Triangular { inverse_pivots, lower } => {
+            item("INVERSE_PIVOTS", "D⁻¹ with Θ_ff = L D Lᵀ. Layout: group, lane.", inverse_pivots);
+            item("LOWER", "L + Lᵀ without its diagonal. Layout: group, mode, lane.", lower);
+            "support::lanes::ModalFactors::Triangular { inverse_pivots: &INVERSE_PIVOTS, lower: &LOWER }"
+                .to_owned()
+        }
+    };
     // A constant, so that other crates that use the body see what is left out; its tables stand once, in statics.
     let (kind, moments) = match moments(tables, scalar) {
         Some((kind, table)) => {
@@ -181,10 +202,11 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
         None => ("()".to_owned(), "()"),
     };
     let array = |numbers: &[f64]| row(numbers, scalar);
-    let first_moment = match tables.first_moment {
-        Some(moment) => format!("::core::option::Option::Some({})", array(&moment)),
+    let list = |numbers: Option<[f64; 3]>| match numbers {
+        Some(numbers) => format!("::core::option::Option::Some({})", array(&numbers)),
         None => "::core::option::Option::None".to_owned(),
     };
+    let (first_moment, translation_lower) = (list(tables.first_moment), list(tables.translation_lower));
     let mass = literal(tables.mass, scalar);
     let _ = writeln!(
         text,
@@ -194,19 +216,23 @@ fn statics(tables: &LaneTables, scalar: ScalarType) -> String {
         first_moment: {first_moment},
         modal_first_moment: {modal_first_moment},
         inertia: {},
-        translation_compliance: {},
+        translation_factors: support::lanes::Factors {{
+            inverse_pivots: {},
+            lower: {translation_lower},
+        }},
+        eliminated_first_moment: {eliminated_first_moment},
         position_mode_even: {position_mode_even},
         position_mode_odd: {position_mode_odd},
         trace: {trace},
         modal_mass: {modal_mass},
-        modal_compliance: {modal_compliance},
+        modal_factors: {modal_factors},
         stiffness: {stiffness},
         damping: {damping},
         moments: {moments},
     }};",
         tables.moment_bytes(scalar),
         array(&tables.inertia),
-        array(&tables.translation_compliance),
+        array(&tables.translation_inverse_pivots),
     );
     text
 }
