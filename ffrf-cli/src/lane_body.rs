@@ -1,7 +1,7 @@
 //! Tables as the loops of the runtime want them.
 
-use ffrf_codegen::lanes::{LaneTables, ModalMatrix, MomentTables, Table};
-use ffrf_runtime::lanes::{self, FullTable, HalfTable, LaneBody};
+use ffrf_codegen::lanes::{LaneTables, ModalFactors, ModalMatrix, MomentTables, Table};
+use ffrf_runtime::lanes::{self, Factors, FullTable, HalfTable, LaneBody};
 
 /// From entries `V` of tables to constants `C` of the loops.
 ///
@@ -83,12 +83,16 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
             first_moment: tables.first_moment.map(|moment| moment.map(&self.constant)),
             modal_first_moment: tables.modal_first_moment.as_ref().map(|table| self.rows(table)),
             inertia: tables.inertia.map(&self.constant),
-            translation_compliance: tables.translation_compliance.map(&self.constant),
+            translation_factors: Factors {
+                inverse_pivots: tables.translation_inverse_pivots.map(&self.constant),
+                lower: tables.translation_lower.map(|lower| lower.map(&self.constant)),
+            },
+            eliminated_first_moment: tables.eliminated_first_moment.as_ref().map(|table| self.rows(table)),
             position_mode_even: tables.position_mode_even.as_ref().map(|table| self.rows(table)),
             position_mode_odd: tables.position_mode_odd.as_ref().map(|table| self.rows(table)),
             trace: self.matrix(&tables.trace),
             modal_mass: self.matrix(&tables.modal_mass),
-            modal_compliance: self.matrix(&tables.modal_compliance),
+            modal_factors: self.factors(&tables.modal_factors),
             stiffness: self.matrix(&tables.stiffness),
             damping: self.matrix(&tables.damping),
             moments,
@@ -114,19 +118,46 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
         match matrix {
             ModalMatrix::Zero => lanes::ModalMatrix::Zero,
             ModalMatrix::Identity => lanes::ModalMatrix::Identity,
-            ModalMatrix::Diagonal(table) => {
-                let mut entries = Box::new([[self.zero; 4]; G]);
-                self.fill(entries.as_flattened_mut(), table.entries());
-                lanes::ModalMatrix::Diagonal(Box::leak(entries))
-            }
-            ModalMatrix::Dense(table) => {
-                let mut groups = Box::new([[[self.zero; 4]; M]; G]);
-                // The columns of a group end with the last mode, not with the padding.
-                for (group, entries) in groups.iter_mut().zip(table.entries().chunks(4 * table.shape()[1])) {
-                    self.fill(group.as_flattened_mut(), entries);
-                }
-                lanes::ModalMatrix::Dense(Box::leak(groups))
-            }
+            ModalMatrix::Diagonal(table) => lanes::ModalMatrix::Diagonal(self.list(table)),
+            ModalMatrix::Dense(table) => lanes::ModalMatrix::Dense(self.columns(table)),
         }
+    }
+
+    fn factors<V: Copy, const M: usize, const G: usize>(
+        &self,
+        factors: &ModalFactors<V>,
+    ) -> lanes::ModalFactors<'static, C, M, G>
+    where
+        F: Fn(V) -> C,
+    {
+        match factors {
+            ModalFactors::Identity => lanes::ModalFactors::Identity,
+            ModalFactors::Diagonal(table) => lanes::ModalFactors::Diagonal(self.list(table)),
+            ModalFactors::Triangular { inverse_pivots, lower } => lanes::ModalFactors::Triangular {
+                inverse_pivots: self.list(inverse_pivots),
+                lower: self.columns(lower),
+            },
+        }
+    }
+
+    fn list<V: Copy, const G: usize>(&self, table: &Table<V>) -> &'static [[C; 4]; G]
+    where
+        F: Fn(V) -> C,
+    {
+        let mut entries = Box::new([[self.zero; 4]; G]);
+        self.fill(entries.as_flattened_mut(), table.entries());
+        Box::leak(entries)
+    }
+
+    fn columns<V: Copy, const M: usize, const G: usize>(&self, table: &Table<V>) -> &'static [[[C; 4]; M]; G]
+    where
+        F: Fn(V) -> C,
+    {
+        let mut groups = Box::new([[[self.zero; 4]; M]; G]);
+        // The columns of a group end with the last mode, not with the padding.
+        for (group, entries) in groups.iter_mut().zip(table.entries().chunks(4 * table.shape()[1])) {
+            self.fill(group.as_flattened_mut(), entries);
+        }
+        Box::leak(groups)
     }
 }

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          6 operations: 6 multiply-add
 //   quadratic_velocity   51 operations: 30 multiply-add, 18 multiply, 3 add
-//   forward_dynamics     207 operations: 131 multiply-add, 46 multiply, 29 add, 1 divide
-//   equations_of_motion  207 operations: 131 multiply-add, 46 multiply, 29 add, 1 divide
+//   forward_dynamics     196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide
+//   equations_of_motion  196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide
 //   kinetic_energy       76 operations: 48 multiply-add, 19 multiply, 9 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -189,7 +189,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 207 operations: 131 multiply-add, 46 multiply, 29 add, 1 divide.
+    /// Cost: 196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -230,93 +230,89 @@ const _: () = {
         let modal_residual1 = modal_force1 - t10;
 
         // Elimination of the modal accelerations (27 operations: 13 multiply-add, 2 multiply, 12 add)
-        let t11 = first_moment_z - 0.03851419740938042;
-        let t12 = t11 + 0.034404136302412215;
-        let t13 = first_moment_y + 0.007541969784485981 + 0.03645820876206707;
-        let t14 = first_moment_z - 0.03358452116577598 - 0.07550464880583714;
-        let t15 = first_moment_x - 0.021327326921465925;
-        let t16 = t15 - 0.1075527075299646;
-        let t17 = first_moment_y + 0.013447181620136492;
-        let t18 = t17 + 0.03934744538491937;
-        let t19 = first_moment_x + 0.04360784245699124 - 0.05289072611699614;
-        let t20 = modal_residual0 * 0.7026623076098962;
-        let t21 = 0.728533279643454 * fma(-0.42430549003691537, t20, modal_residual1);
-        let reduced_force_x = fma(-0.1686546624124975, t20, force_x - fma(-omega_z, t1, omega_y * t3));
-        let reduced_force_x = fma(0.2915046653256301, t21, reduced_force_x);
-        let reduced_force_y = fma(-0.4769248916244436, t20, force_y - fma(-omega_x, t3, omega_z * t5));
-        let reduced_force_y = fma(0.8599466917861309, t21, reduced_force_y);
-        let reduced_force_z = fma(-0.19095986526594344, t20, force_z - fma(-omega_y, t5, omega_x * t1));
-        let reduced_force_z = fma(0.44814069099253945, t21, reduced_force_z);
-        let reduced_moment_x = fma(-0.08780154575513523, t21, fma(0.07041888933786715, t20, moment_x - t6));
-        let reduced_moment_y = fma(-0.11802259241367719, t21, fma(-0.22836129673772051, t20, moment_y - t7));
-        let reduced_moment_z = fma(0.12506904039199793, t21, fma(-0.04471841855186752, t20, moment_z - t8));
+        let t11 = fma(-0.2981434747608867, modal_residual0, modal_residual1);
+        let t12 = first_moment_z - 0.03851419740938041;
+        let t13 = t12 + 0.034404136302412215;
+        let t14 = first_moment_y + 0.00754196978448598 + 0.03645820876206706;
+        let reduced_force_x = fma(-0.11850727427993349, modal_residual0, force_x - fma(-omega_z, t1, omega_y * t3));
+        let reduced_force_x = fma(0.21237084986104873, t11, reduced_force_x);
+        let reduced_force_y = fma(-0.33511714490543115, modal_residual0, force_y - fma(-omega_x, t3, omega_z * t5));
+        let reduced_force_y = fma(0.6264997836854884, t11, reduced_force_y);
+        let reduced_force_z = fma(-0.13418029958864267, modal_residual0, force_z - fma(-omega_y, t5, omega_x * t1));
+        let reduced_force_z = fma(0.3264854073504785, t11, reduced_force_z);
+        let reduced_moment_x = fma(-0.06396634808675346, t11, fma(0.04948069928147164, modal_residual0, moment_x - t6));
+        let reduced_moment_y = fma(-0.08598338632315888, t11, fma(-0.16046087573451495, modal_residual0, moment_y - t7));
+        let reduced_moment_z = fma(0.09111695817864188, t11, fma(-0.03142194717232042, modal_residual0, moment_z - t8));
 
-        // Rigid-body accelerations (100 operations: 71 multiply-add, 22 multiply, 6 add, 1 divide)
-        let t22 = -0.03934744538491937 - t17;
-        let t23 = fma(t16, 0.007156163218319777, t13 * -0.0024464093413774234) - 0.007532336991143783;
-        let t24 = fma(t16, 0.12758177270172086, t13 * -0.004971713184655362) - 0.0004622019075897542;
-        let t25 = fma(t16, 0.004971713184655362, t13 * -0.11476485716598413) - 0.0001580085626660048;
-        let t26 = fma(t14, t24, fma(-0.037471034219164694, t25, -0.5502731063039471));
-        let t27 = fma(t22, t23, t26);
-        let t28 = fma(t19, -0.11662139865475424, fma(t12, 0.0024464093413774234, -5.3084767943419266e-5));
-        let t29 = fma(t19, -0.007156163218319777, fma(t12, 0.004971713184655362, -0.0009464078153420166));
-        let t30 = -0.034404136302412215 - t11;
-        let t31 = fma(t19, -0.0024464093413774234, fma(t12, 0.11476485716598413, -3.6880411001949616e-5));
-        let t32 = fma(0.007418048795690163, t29, fma(t30, t31, 3.3749788451046405));
-        let t33 = fma(t19, t28, t32);
-        let t34 = fma(0.007418048795690163, t24, fma(t30, t25, 0.0395743670230937));
-        let t35 = fma(t19, t23, t34);
-        let t36 = fma(t14, t29, fma(-0.037471034219164694, t31, 0.21604834392092967));
-        let t37 = fma(t22, t28, t36);
-        let t38 = fma(-t33, t27, t35 * t37);
-        let t39 = 0.1075527075299646 - t15;
-        let t40 = fma(0.06458794936461446, t23, fma(t39, t24, fma(t13, t25, 3.7545433015546728)));
-        let t41 = fma(-t40, t37, t35 * t27);
-        let t42 = fma(t18, 0.11662139865475424, fma(t14, -0.007156163218319777, 9.166948814483759e-5));
-        let t43 = fma(t18, 0.007156163218319777, fma(t14, -0.12758177270172086, 0.00018629523487009335));
-        let t44 = fma(t18, 0.0024464093413774234, fma(t14, -0.004971713184655362, 0.00430035789002414));
-        let t45 = fma(t14, t43, fma(-0.037471034219164694, t44, 0.7307319628338057));
-        let t46 = fma(t22, t42, t45);
-        let t47 = fma(-t35, t35, t33 * t40);
-        let inverse_determinant = 1.0 / fma(t27, t38, fma(t37, t41, t46 * t47));
-        let t48 = fma(reduced_force_y, 0.007156163218319777, reduced_force_x * 0.0024464093413774234);
-        let t49 = fma(reduced_force_z, 0.11662139865475424, t48);
-        let t50 = fma(reduced_force_y, 0.12758177270172086, reduced_force_x * 0.004971713184655362);
-        let t51 = fma(reduced_force_z, 0.007156163218319777, t50);
-        let t52 = fma(reduced_force_y, 0.004971713184655362, reduced_force_x * 0.11476485716598413);
-        let t53 = fma(reduced_force_z, 0.0024464093413774234, t52);
-        let t54 = fma(0.06458794936461446, t49, fma(t39, t51, fma(t13, t53, reduced_moment_z)));
-        let t55 = t38 * inverse_determinant;
-        let t56 = fma(0.007418048795690163, t51, fma(t30, t53, reduced_moment_y));
-        let t57 = fma(t19, t49, t56);
-        let t58 = t41 * inverse_determinant;
-        let t59 = fma(t14, t51, fma(-0.037471034219164694, t53, reduced_moment_x));
-        let t60 = fma(t22, t49, t59);
-        let angular_acceleration_x = fma(t54, t55, fma(t57, t58, t60 * (t47 * inverse_determinant)));
-        let t61 = fma(-t46, t35, t27 * t37) * inverse_determinant;
-        let angular_acceleration_y = fma(t57, fma(-t27, t27, t46 * t40) * inverse_determinant, t60 * t58);
-        let angular_acceleration_y = fma(t54, t61, angular_acceleration_y);
-        let angular_acceleration_z = fma(t54, fma(-t37, t37, t46 * t33) * inverse_determinant, fma(t57, t61, t60 * t55));
-        let acceleration_x = fma(-t31, angular_acceleration_y, fma(-t44, angular_acceleration_x, t53));
-        let acceleration_x = fma(-t25, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t43, angular_acceleration_x, t51));
-        let acceleration_y = fma(-t24, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t28, angular_acceleration_y, fma(-t42, angular_acceleration_x, t49));
-        let acceleration_z = fma(-t23, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (91 operations: 58 multiply-add, 27 multiply, 3 add, 3 divide)
+        let t15 = first_moment_z - 0.033584521165775975 - 0.07550464880583713 - 0.001421003685917668;
+        let t16 = first_moment_y + 0.01344718162013649 + 0.03934744538491937 + 0.0006988473365497082;
+        let t17 = fma(-0.061362351171116276, t15, t16);
+        let t18 = fma(-0.03792272392606903, t14, first_moment_x - 0.02132732692146592 - 0.10755270752996457);
+        let t19 = fma(0.061362351171116276, t18, fma(-0.018650334881663885, t14, -0.06458794936461446));
+        let t20 = 0.11662139865475424 * t19;
+        let t21 = 0.1271426537012805 * t18;
+        let t22 = t14 * -0.11453068990596851;
+        let t23 = fma(t15, t21, fma(-0.03747103421916469, t22, -0.5502731063039471));
+        let t24 = fma(-t17, t20, t23);
+        let t25 = fma(0.03792272392606903, t13, -0.007418048795690149);
+        let t26 = fma(t13, -0.018650334881663885, first_moment_x + 0.04360784245699123 - 0.05289072611699614);
+        let t27 = fma(-0.061362351171116276, t25, t26);
+        let t28 = t27 * -0.11662139865475424;
+        let t29 = 0.1271426537012805 * t25;
+        let t30 = t13 * 0.11453068990596851;
+        let t31 = fma(t15, t29, fma(-0.03747103421916469, t30, 0.21604834392092967));
+        let t32 = fma(-t17, t28, t31);
+        let t33 = t32 * 0.12568115641159122;
+        let t34 = -0.034404136302412215 - t12;
+        let t35 = fma(t27, t20, fma(-t25, t21, fma(t34, t22, 0.0395743670230937)));
+        let t36 = 0.11662139865475424 * t17;
+        let t37 = t15 * -0.1271426537012805;
+        let t38 = fma(-t17, t36, fma(t15, t37, 0.730571152765347));
+        let t39 = t38 * 0.12568115641159122;
+        let t40 = fma(-t24, t33, t35 * t39);
+        let t41 = fma(t27, t28, fma(-t25, t29, fma(t34, t30, 3.3749788451046405)));
+        let t42 = fma(-t32, t33, t41 * t39);
+        let t43 = fma(-t19, t20, fma(-t18, t21, fma(t14, t22, 3.7545433015546728)));
+        let t44 = fma(-t40, t40, t42 * fma(-t24, t24 * 0.12568115641159122, t43 * t39));
+        let t45 = 1.0 / t42;
+        let t46 = fma(0.03792272392606903, reduced_force_x, reduced_force_y);
+        let t47 = fma(0.061362351171116276, t46, fma(0.018650334881663885, reduced_force_x, reduced_force_z));
+        let t48 = 0.11662139865475424 * t47;
+        let t49 = 0.1271426537012805 * t46;
+        let t50 = reduced_force_x * 0.11453068990596851;
+        let t51 = fma(t15, t49, fma(-0.03747103421916469, t50, reduced_moment_x));
+        let t52 = fma(-t17, t48, t51);
+        let t53 = 1.0 / t38;
+        let t54 = t32 * t53;
+        let t55 = fma(t27, t48, fma(-t25, t49, fma(t34, t50, reduced_moment_y)));
+        let t56 = fma(-t52, t54, t55);
+        let t57 = t24 * t53;
+        let t58 = fma(-t19, t48, fma(-t18, t49, fma(t14, t50, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / t44 * (t39 * t42) * fma(-(t40 * t45), t56, fma(-t52, t57, t58));
+        let angular_acceleration_y = fma(-(t40 * t45), angular_acceleration_z, t39 * t45 * t56);
+        let angular_acceleration_x = fma(-t54, angular_acceleration_y, fma(-t57, angular_acceleration_z, t52 * t53));
+        let acceleration_z = fma(-t28, angular_acceleration_y, fma(-t36, angular_acceleration_x, t48));
+        let acceleration_z = fma(-t20, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t37, angular_acceleration_x, t49));
+        let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t21, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t30, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t50));
+        let acceleration_x = fma(0.018650334881663885, acceleration_z, fma(-t22, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.03792272392606903, acceleration_y, acceleration_x);
 
-        // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t62 = fma(0.8599466917861309, acceleration_y, fma(0.2915046653256301, acceleration_x, t21));
-        let t63 = fma(-0.08780154575513523, angular_acceleration_x, fma(0.44814069099253945, acceleration_z, t62));
-        let t64 = fma(0.12506904039199793, angular_acceleration_z, fma(-0.11802259241367719, angular_acceleration_y, t63));
-        let t65 = 0.728533279643454 * t64;
-        let t66 = fma(-0.4769248916244436, acceleration_y, fma(-0.1686546624124975, acceleration_x, t20));
-        let t67 = fma(0.07041888933786715, angular_acceleration_x, fma(-0.19095986526594344, acceleration_z, t66));
-        let t68 = fma(-0.04471841855186752, angular_acceleration_z, fma(-0.22836129673772051, angular_acceleration_y, t67));
+        // Modal accelerations (13 operations: 13 multiply-add)
+        let t59 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t11);
+        let t60 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t59));
+        let t61 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t60));
+        let t62 = fma(0.09111695817864188, angular_acceleration_z, t61);
+        let t63 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
+        let t64 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t63));
+        let t65 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t64));
+        let t66 = fma(-0.2981434747608867, t62, fma(-0.03142194717232042, angular_acceleration_z, t65));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z,
-            0.7026623076098962 * fma(-0.42430549003691537, t65, t68), t65,
+            angular_acceleration_y, angular_acceleration_z, t66, t62,
         ]
     }
 
@@ -324,7 +320,7 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 207 operations: 131 multiply-add, 46 multiply, 29 add, 1 divide.
+    /// Cost: 196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 2],
@@ -373,85 +369,82 @@ const _: () = {
         let modal_residual1 = modal_force1 - t13;
 
         // Elimination of the modal accelerations (27 operations: 13 multiply-add, 2 multiply, 12 add)
-        let t14 = first_moment_z - 0.03851419740938042;
-        let t15 = t14 + 0.034404136302412215;
-        let t16 = first_moment_y + 0.007541969784485981 + 0.03645820876206707;
-        let t17 = first_moment_z - 0.03358452116577598 - 0.07550464880583714;
-        let t18 = first_moment_x - 0.021327326921465925;
-        let t19 = t18 - 0.1075527075299646;
-        let t20 = first_moment_y + 0.013447181620136492;
-        let t21 = t20 + 0.03934744538491937;
-        let t22 = first_moment_x + 0.04360784245699124 - 0.05289072611699614;
-        let t23 = modal_residual0 * 0.7026623076098962;
-        let t24 = 0.728533279643454 * fma(-0.42430549003691537, t23, modal_residual1);
-        let reduced_force_x = fma(0.2915046653256301, t24, fma(-0.1686546624124975, t23, force_x - t4));
-        let reduced_force_y = fma(0.8599466917861309, t24, fma(-0.4769248916244436, t23, force_y - t7));
-        let reduced_force_z = fma(0.44814069099253945, t24, fma(-0.19095986526594344, t23, force_z - t8));
-        let reduced_moment_x = fma(-0.08780154575513523, t24, fma(0.07041888933786715, t23, moment_x - t9));
-        let reduced_moment_y = fma(-0.11802259241367719, t24, fma(-0.22836129673772051, t23, moment_y - t10));
-        let reduced_moment_z = fma(0.12506904039199793, t24, fma(-0.04471841855186752, t23, moment_z - t11));
+        let t14 = fma(-0.2981434747608867, modal_residual0, modal_residual1);
+        let t15 = first_moment_z - 0.03851419740938041;
+        let t16 = t15 + 0.034404136302412215;
+        let t17 = first_moment_y + 0.00754196978448598 + 0.03645820876206706;
+        let reduced_force_x = fma(0.21237084986104873, t14, fma(-0.11850727427993349, modal_residual0, force_x - t4));
+        let reduced_force_y = fma(0.6264997836854884, t14, fma(-0.33511714490543115, modal_residual0, force_y - t7));
+        let reduced_force_z = fma(0.3264854073504785, t14, fma(-0.13418029958864267, modal_residual0, force_z - t8));
+        let reduced_moment_x = fma(-0.06396634808675346, t14, fma(0.04948069928147164, modal_residual0, moment_x - t9));
+        let reduced_moment_y = fma(-0.08598338632315888, t14, fma(-0.16046087573451495, modal_residual0, moment_y - t10));
+        let reduced_moment_z = fma(0.09111695817864188, t14, fma(-0.03142194717232042, modal_residual0, moment_z - t11));
 
-        // Rigid-body accelerations (100 operations: 71 multiply-add, 22 multiply, 6 add, 1 divide)
-        let t25 = -0.03934744538491937 - t20;
-        let t26 = fma(t19, 0.007156163218319777, t16 * -0.0024464093413774234) - 0.007532336991143783;
-        let t27 = fma(t19, 0.12758177270172086, t16 * -0.004971713184655362) - 0.0004622019075897542;
-        let t28 = fma(t19, 0.004971713184655362, t16 * -0.11476485716598413) - 0.0001580085626660048;
-        let t29 = fma(t17, t27, fma(-0.037471034219164694, t28, -0.5502731063039471));
-        let t30 = fma(t25, t26, t29);
-        let t31 = fma(t22, -0.11662139865475424, fma(t15, 0.0024464093413774234, -5.3084767943419266e-5));
-        let t32 = fma(t22, -0.007156163218319777, fma(t15, 0.004971713184655362, -0.0009464078153420166));
-        let t33 = -0.034404136302412215 - t14;
-        let t34 = fma(t22, -0.0024464093413774234, fma(t15, 0.11476485716598413, -3.6880411001949616e-5));
-        let t35 = fma(0.007418048795690163, t32, fma(t33, t34, 3.3749788451046405));
-        let t36 = fma(t22, t31, t35);
-        let t37 = fma(0.007418048795690163, t27, fma(t33, t28, 0.0395743670230937));
-        let t38 = fma(t22, t26, t37);
-        let t39 = fma(t17, t32, fma(-0.037471034219164694, t34, 0.21604834392092967));
-        let t40 = fma(t25, t31, t39);
-        let t41 = fma(-t36, t30, t38 * t40);
-        let t42 = 0.1075527075299646 - t18;
-        let t43 = fma(0.06458794936461446, t26, fma(t42, t27, fma(t16, t28, 3.7545433015546728)));
-        let t44 = fma(-t43, t40, t38 * t30);
-        let t45 = fma(t21, 0.11662139865475424, fma(t17, -0.007156163218319777, 9.166948814483759e-5));
-        let t46 = fma(t21, 0.007156163218319777, fma(t17, -0.12758177270172086, 0.00018629523487009335));
-        let t47 = fma(t21, 0.0024464093413774234, fma(t17, -0.004971713184655362, 0.00430035789002414));
-        let t48 = fma(t17, t46, fma(-0.037471034219164694, t47, 0.7307319628338057));
-        let t49 = fma(t25, t45, t48);
-        let t50 = fma(-t38, t38, t36 * t43);
-        let inverse_determinant = 1.0 / fma(t30, t41, fma(t40, t44, t49 * t50));
-        let t51 = fma(reduced_force_y, 0.007156163218319777, reduced_force_x * 0.0024464093413774234);
-        let t52 = fma(reduced_force_z, 0.11662139865475424, t51);
-        let t53 = fma(reduced_force_y, 0.12758177270172086, reduced_force_x * 0.004971713184655362);
-        let t54 = fma(reduced_force_z, 0.007156163218319777, t53);
-        let t55 = fma(reduced_force_y, 0.004971713184655362, reduced_force_x * 0.11476485716598413);
-        let t56 = fma(reduced_force_z, 0.0024464093413774234, t55);
-        let t57 = fma(0.06458794936461446, t52, fma(t42, t54, fma(t16, t56, reduced_moment_z)));
-        let t58 = t41 * inverse_determinant;
-        let t59 = fma(0.007418048795690163, t54, fma(t33, t56, reduced_moment_y));
-        let t60 = fma(t22, t52, t59);
-        let t61 = t44 * inverse_determinant;
-        let t62 = fma(t17, t54, fma(-0.037471034219164694, t56, reduced_moment_x));
-        let t63 = fma(t25, t52, t62);
-        let angular_acceleration_x = fma(t57, t58, fma(t60, t61, t63 * (t50 * inverse_determinant)));
-        let t64 = fma(-t49, t38, t30 * t40) * inverse_determinant;
-        let angular_acceleration_y = fma(t60, fma(-t30, t30, t49 * t43) * inverse_determinant, t63 * t61);
-        let angular_acceleration_y = fma(t57, t64, angular_acceleration_y);
-        let angular_acceleration_z = fma(t57, fma(-t40, t40, t49 * t36) * inverse_determinant, fma(t60, t64, t63 * t58));
-        let acceleration_x = fma(-t34, angular_acceleration_y, fma(-t47, angular_acceleration_x, t56));
-        let acceleration_x = fma(-t28, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t32, angular_acceleration_y, fma(-t46, angular_acceleration_x, t54));
-        let acceleration_y = fma(-t27, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t31, angular_acceleration_y, fma(-t45, angular_acceleration_x, t52));
-        let acceleration_z = fma(-t26, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (91 operations: 58 multiply-add, 27 multiply, 3 add, 3 divide)
+        let t18 = first_moment_z - 0.033584521165775975 - 0.07550464880583713 - 0.001421003685917668;
+        let t19 = first_moment_y + 0.01344718162013649 + 0.03934744538491937 + 0.0006988473365497082;
+        let t20 = fma(-0.061362351171116276, t18, t19);
+        let t21 = fma(-0.03792272392606903, t17, first_moment_x - 0.02132732692146592 - 0.10755270752996457);
+        let t22 = fma(0.061362351171116276, t21, fma(-0.018650334881663885, t17, -0.06458794936461446));
+        let t23 = 0.11662139865475424 * t22;
+        let t24 = 0.1271426537012805 * t21;
+        let t25 = t17 * -0.11453068990596851;
+        let t26 = fma(t18, t24, fma(-0.03747103421916469, t25, -0.5502731063039471));
+        let t27 = fma(-t20, t23, t26);
+        let t28 = fma(0.03792272392606903, t16, -0.007418048795690149);
+        let t29 = fma(t16, -0.018650334881663885, first_moment_x + 0.04360784245699123 - 0.05289072611699614);
+        let t30 = fma(-0.061362351171116276, t28, t29);
+        let t31 = t30 * -0.11662139865475424;
+        let t32 = 0.1271426537012805 * t28;
+        let t33 = t16 * 0.11453068990596851;
+        let t34 = fma(t18, t32, fma(-0.03747103421916469, t33, 0.21604834392092967));
+        let t35 = fma(-t20, t31, t34);
+        let t36 = t35 * 0.12568115641159122;
+        let t37 = -0.034404136302412215 - t15;
+        let t38 = fma(t30, t23, fma(-t28, t24, fma(t37, t25, 0.0395743670230937)));
+        let t39 = 0.11662139865475424 * t20;
+        let t40 = t18 * -0.1271426537012805;
+        let t41 = fma(-t20, t39, fma(t18, t40, 0.730571152765347));
+        let t42 = t41 * 0.12568115641159122;
+        let t43 = fma(-t27, t36, t38 * t42);
+        let t44 = fma(t30, t31, fma(-t28, t32, fma(t37, t33, 3.3749788451046405)));
+        let t45 = fma(-t35, t36, t44 * t42);
+        let t46 = fma(-t22, t23, fma(-t21, t24, fma(t17, t25, 3.7545433015546728)));
+        let t47 = fma(-t43, t43, t45 * fma(-t27, t27 * 0.12568115641159122, t46 * t42));
+        let t48 = 1.0 / t45;
+        let t49 = fma(0.03792272392606903, reduced_force_x, reduced_force_y);
+        let t50 = fma(0.061362351171116276, t49, fma(0.018650334881663885, reduced_force_x, reduced_force_z));
+        let t51 = 0.11662139865475424 * t50;
+        let t52 = 0.1271426537012805 * t49;
+        let t53 = reduced_force_x * 0.11453068990596851;
+        let t54 = fma(t18, t52, fma(-0.03747103421916469, t53, reduced_moment_x));
+        let t55 = fma(-t20, t51, t54);
+        let t56 = 1.0 / t41;
+        let t57 = t35 * t56;
+        let t58 = fma(t30, t51, fma(-t28, t52, fma(t37, t53, reduced_moment_y)));
+        let t59 = fma(-t55, t57, t58);
+        let t60 = t27 * t56;
+        let t61 = fma(-t22, t51, fma(-t21, t52, fma(t17, t53, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / t47 * (t42 * t45) * fma(-(t43 * t48), t59, fma(-t55, t60, t61));
+        let angular_acceleration_y = fma(-(t43 * t48), angular_acceleration_z, t42 * t48 * t59);
+        let angular_acceleration_x = fma(-t57, angular_acceleration_y, fma(-t60, angular_acceleration_z, t55 * t56));
+        let acceleration_z = fma(-t31, angular_acceleration_y, fma(-t39, angular_acceleration_x, t51));
+        let acceleration_z = fma(-t23, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t32, angular_acceleration_y, fma(-t40, angular_acceleration_x, t52));
+        let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t24, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t33, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t53));
+        let acceleration_x = fma(0.018650334881663885, acceleration_z, fma(-t25, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.03792272392606903, acceleration_y, acceleration_x);
 
-        // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t65 = fma(0.8599466917861309, acceleration_y, fma(0.2915046653256301, acceleration_x, t24));
-        let t66 = fma(-0.08780154575513523, angular_acceleration_x, fma(0.44814069099253945, acceleration_z, t65));
-        let t67 = fma(0.12506904039199793, angular_acceleration_z, fma(-0.11802259241367719, angular_acceleration_y, t66));
-        let t68 = 0.728533279643454 * t67;
-        let t69 = fma(-0.4769248916244436, acceleration_y, fma(-0.1686546624124975, acceleration_x, t23));
-        let t70 = fma(0.07041888933786715, angular_acceleration_x, fma(-0.19095986526594344, acceleration_z, t69));
-        let t71 = fma(-0.04471841855186752, angular_acceleration_z, fma(-0.22836129673772051, angular_acceleration_y, t70));
+        // Modal accelerations (13 operations: 13 multiply-add)
+        let t62 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t14);
+        let t63 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t62));
+        let t64 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t63));
+        let t65 = fma(0.09111695817864188, angular_acceleration_z, t64);
+        let t66 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
+        let t67 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t66));
+        let t68 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t67));
+        let t69 = fma(-0.2981434747608867, t65, fma(-0.03142194717232042, angular_acceleration_z, t68));
 
         (
             [
@@ -491,8 +484,7 @@ const _: () = {
             [t4, t7, t8, t9, t10, t11, 0.0, 0.0],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z,
-                0.7026623076098962 * fma(-0.42430549003691537, t68, t71), t68,
+                angular_acceleration_y, angular_acceleration_z, t69, t65,
             ],
         )
     }

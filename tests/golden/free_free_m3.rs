@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          111 operations: 69 multiply-add, 15 multiply, 27 add
 //   quadratic_velocity   228 operations: 135 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     319 operations: 194 multiply-add, 76 multiply, 48 add, 1 divide
-//   equations_of_motion  319 operations: 194 multiply-add, 76 multiply, 48 add, 1 divide
+//   forward_dynamics     317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide
+//   equations_of_motion  317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide
 //   kinetic_energy       158 operations: 94 multiply-add, 30 multiply, 34 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      3 operations: 3 multiply
@@ -345,7 +345,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 319 operations: 194 multiply-add, 76 multiply, 48 add, 1 divide.
+    /// Cost: 317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -484,15 +484,12 @@ const _: () = {
         let t22 = fma(-coupling_x1, coupling_x1, fma(-coupling_x0, coupling_x0, inertia_xx));
         let t23 = fma(-coupling_x2, coupling_x2, t22);
         let t24 = fma(-coupling_y1, coupling_y1, fma(-coupling_y0, coupling_y0, inertia_yy));
-        let t25 = fma(-coupling_y2, coupling_y2, t24);
-        let t26 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
-        let t27 = fma(-coupling_z2, coupling_z2, t26);
-        let t28 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
-        let t29 = fma(-coupling_y2, coupling_z2, t28);
-        let t30 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
-        let t31 = fma(-coupling_x2, coupling_z2, t30);
-        let t32 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
-        let t33 = fma(-coupling_x2, coupling_y2, t32);
+        let t25 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
+        let t26 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
+        let t27 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
+        let t28 = fma(-coupling_x2, coupling_z2, t27);
+        let t29 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
+        let t30 = fma(-coupling_x2, coupling_y2, t29);
         let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t1 + t3)));
         let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t4 + t6)));
@@ -500,34 +497,36 @@ const _: () = {
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t7 + t9)));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
 
-        // Rigid-body accelerations (34 operations: 14 multiply-add, 19 multiply, 1 divide)
+        // Rigid-body accelerations (32 operations: 10 multiply-add, 19 multiply, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t34 = fma(-t25, t31, t29 * t33);
-        let t35 = fma(-t27, t33, t29 * t31);
-        let t36 = fma(-t29, t29, t25 * t27);
-        let inverse_determinant = 1.0 / fma(t31, t34, fma(t33, t35, t23 * t36));
-        let t37 = t34 * inverse_determinant;
-        let t38 = t35 * inverse_determinant;
-        let angular_acceleration_x = fma(reduced_moment_y, t38, reduced_moment_x * (t36 * inverse_determinant));
-        let angular_acceleration_x = fma(reduced_moment_z, t37, angular_acceleration_x);
-        let t39 = fma(-t23, t29, t31 * t33) * inverse_determinant;
-        let angular_acceleration_y = fma(reduced_moment_y, fma(-t31, t31, t23 * t27) * inverse_determinant, reduced_moment_x * t38);
-        let angular_acceleration_y = fma(reduced_moment_z, t39, angular_acceleration_y);
-        let angular_acceleration_z = fma(reduced_moment_z, fma(-t33, t33, t23 * t25) * inverse_determinant, fma(reduced_moment_y, t39, reduced_moment_x * t37));
+        let t31 = t30 * 0.13515587760150766;
+        let t32 = t23 * 0.13515587760150766;
+        let t33 = fma(-t28, t31, fma(-coupling_y2, coupling_z2, t26) * t32);
+        let t34 = fma(-t30, t31, fma(-coupling_y2, coupling_y2, t24) * t32);
+        let t35 = fma(-t28, t28 * 0.13515587760150766, fma(-coupling_z2, coupling_z2, t25) * t32);
+        let t36 = 1.0 / t34;
+        let t37 = 1.0 / t23;
+        let t38 = t30 * t37;
+        let t39 = fma(-reduced_moment_x, t38, reduced_moment_y);
+        let t40 = t28 * t37;
+        let t41 = fma(-(t33 * t36), t39, fma(-reduced_moment_x, t40, reduced_moment_z));
+        let angular_acceleration_z = 1.0 / fma(-t33, t33, t34 * t35) * (t32 * t34) * t41;
+        let angular_acceleration_y = fma(-(t33 * t36), angular_acceleration_z, t32 * t36 * t39);
+        let angular_acceleration_x = fma(-t38, angular_acceleration_y, fma(-t40, angular_acceleration_z, reduced_moment_x * t37));
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t40 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t41 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t42 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t42 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
+        let t43 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
+        let t44 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            fma(-coupling_z0, angular_acceleration_z, t40),
-            fma(-coupling_z1, angular_acceleration_z, t41),
-            fma(-coupling_z2, angular_acceleration_z, t42),
+            fma(-coupling_z0, angular_acceleration_z, t42),
+            fma(-coupling_z1, angular_acceleration_z, t43),
+            fma(-coupling_z2, angular_acceleration_z, t44),
         ]
     }
 
@@ -535,7 +534,7 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 319 operations: 194 multiply-add, 76 multiply, 48 add, 1 divide.
+    /// Cost: 317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 3],
@@ -682,15 +681,12 @@ const _: () = {
         let t25 = fma(-coupling_x1, coupling_x1, fma(-coupling_x0, coupling_x0, inertia_xx));
         let t26 = fma(-coupling_x2, coupling_x2, t25);
         let t27 = fma(-coupling_y1, coupling_y1, fma(-coupling_y0, coupling_y0, inertia_yy));
-        let t28 = fma(-coupling_y2, coupling_y2, t27);
-        let t29 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
-        let t30 = fma(-coupling_z2, coupling_z2, t29);
-        let t31 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
-        let t32 = fma(-coupling_y2, coupling_z2, t31);
-        let t33 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
-        let t34 = fma(-coupling_x2, coupling_z2, t33);
-        let t35 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
-        let t36 = fma(-coupling_x2, coupling_y2, t35);
+        let t28 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
+        let t29 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
+        let t30 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
+        let t31 = fma(-coupling_x2, coupling_z2, t30);
+        let t32 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
+        let t33 = fma(-coupling_x2, coupling_y2, t32);
         let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t4));
         let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t8));
@@ -698,27 +694,29 @@ const _: () = {
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t12));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
 
-        // Rigid-body accelerations (34 operations: 14 multiply-add, 19 multiply, 1 divide)
+        // Rigid-body accelerations (32 operations: 10 multiply-add, 19 multiply, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t37 = fma(-t28, t34, t32 * t36);
-        let t38 = fma(-t30, t36, t32 * t34);
-        let t39 = fma(-t32, t32, t28 * t30);
-        let inverse_determinant = 1.0 / fma(t34, t37, fma(t36, t38, t26 * t39));
-        let t40 = t37 * inverse_determinant;
-        let t41 = t38 * inverse_determinant;
-        let angular_acceleration_x = fma(reduced_moment_y, t41, reduced_moment_x * (t39 * inverse_determinant));
-        let angular_acceleration_x = fma(reduced_moment_z, t40, angular_acceleration_x);
-        let t42 = fma(-t26, t32, t34 * t36) * inverse_determinant;
-        let angular_acceleration_y = fma(reduced_moment_y, fma(-t34, t34, t26 * t30) * inverse_determinant, reduced_moment_x * t41);
-        let angular_acceleration_y = fma(reduced_moment_z, t42, angular_acceleration_y);
-        let angular_acceleration_z = fma(reduced_moment_z, fma(-t36, t36, t26 * t28) * inverse_determinant, fma(reduced_moment_y, t42, reduced_moment_x * t40));
+        let t34 = t33 * 0.13515587760150766;
+        let t35 = t26 * 0.13515587760150766;
+        let t36 = fma(-t31, t34, fma(-coupling_y2, coupling_z2, t29) * t35);
+        let t37 = fma(-t33, t34, fma(-coupling_y2, coupling_y2, t27) * t35);
+        let t38 = fma(-t31, t31 * 0.13515587760150766, fma(-coupling_z2, coupling_z2, t28) * t35);
+        let t39 = 1.0 / t37;
+        let t40 = 1.0 / t26;
+        let t41 = t33 * t40;
+        let t42 = fma(-reduced_moment_x, t41, reduced_moment_y);
+        let t43 = t31 * t40;
+        let t44 = fma(-(t36 * t39), t42, fma(-reduced_moment_x, t43, reduced_moment_z));
+        let angular_acceleration_z = 1.0 / fma(-t36, t36, t37 * t38) * (t35 * t37) * t44;
+        let angular_acceleration_y = fma(-(t36 * t39), angular_acceleration_z, t35 * t39 * t42);
+        let angular_acceleration_x = fma(-t41, angular_acceleration_y, fma(-t43, angular_acceleration_z, reduced_moment_x * t40));
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t43 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t44 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t45 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t45 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
+        let t46 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
+        let t47 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
 
         (
             [
@@ -736,9 +734,9 @@ const _: () = {
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
-                fma(-coupling_z0, angular_acceleration_z, t43),
-                fma(-coupling_z1, angular_acceleration_z, t44),
-                fma(-coupling_z2, angular_acceleration_z, t45),
+                fma(-coupling_z0, angular_acceleration_z, t45),
+                fma(-coupling_z1, angular_acceleration_z, t46),
+                fma(-coupling_z2, angular_acceleration_z, t47),
             ],
         )
     }

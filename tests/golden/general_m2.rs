@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          69 operations: 45 multiply-add, 6 multiply, 18 add
 //   quadratic_velocity   177 operations: 97 multiply-add, 50 multiply, 30 add
-//   forward_dynamics     365 operations: 231 multiply-add, 93 multiply, 40 add, 1 divide
-//   equations_of_motion  365 operations: 231 multiply-add, 93 multiply, 40 add, 1 divide
+//   forward_dynamics     353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
+//   equations_of_motion  353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
 //   kinetic_energy       139 operations: 87 multiply-add, 25 multiply, 27 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -294,7 +294,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 365 operations: 231 multiply-add, 93 multiply, 40 add, 1 divide.
+    /// Cost: 353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -399,101 +399,110 @@ const _: () = {
         let modal_quadratic1 = fma(t14, whirl_z1, fma(t11, whirl_y1, fma(t8, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
-        let t25 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
-        let modal_residual0 = modal_force0 - modal_quadratic0 - t25;
-        let t26 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
-        let modal_residual1 = modal_force1 - modal_quadratic1 - t26;
+        let t25 = modal_force0 - modal_quadratic0;
+        let t26 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
+        let modal_residual0 = t25 - t26;
+        let t27 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
+        let modal_residual1 = modal_force1 - modal_quadratic1 - t27;
 
-        // Elimination of the modal accelerations (54 operations: 43 multiply-add, 11 multiply)
-        let t27 = coupling_x0 * 0.8025943022469433;
-        let t28 = 0.7816444002421177 * fma(0.349841516564402, t27, coupling_x1);
-        let t29 = coupling_y0 * 0.8025943022469433;
-        let t30 = 0.7816444002421177 * fma(0.349841516564402, t29, coupling_y1);
-        let t31 = coupling_z0 * 0.8025943022469433;
-        let t32 = 0.7816444002421177 * fma(0.349841516564402, t31, coupling_z1);
-        let t33 = fma(-0.2621278482346651, t28, -0.13640051118209368 * t27);
-        let t34 = fma(0.2621278482346651, t30, fma(0.13640051118209368, t29, first_moment_z));
-        let t35 = fma(-0.2621278482346651, t32, fma(-0.13640051118209368, t31, first_moment_y));
-        let t36 = fma(-0.11949421156607871, t28, fma(0.21076031493192482, t27, first_moment_z));
-        let t37 = fma(-0.11949421156607871, t30, 0.21076031493192482 * t29);
-        let t38 = fma(0.11949421156607871, t32, fma(-0.21076031493192482, t31, first_moment_x));
-        let t39 = fma(-0.3803708998478266, t28, fma(-0.07572646688984461, t27, first_moment_y));
-        let t40 = fma(0.3803708998478266, t30, fma(0.07572646688984461, t29, first_moment_x));
-        let t41 = fma(0.3803708998478266, t32, 0.07572646688984461 * t31);
-        let t42 = modal_residual0 * 0.8025943022469433;
-        let t43 = 0.7816444002421177 * fma(0.349841516564402, t42, modal_residual1);
-        let reduced_force_x = fma(0.13640051118209368, t42, force_x - fma(-omega_z, t2, omega_y * t4));
-        let reduced_force_x = fma(0.2621278482346651, t43, reduced_force_x);
-        let reduced_force_y = fma(-0.21076031493192482, t42, force_y - fma(-omega_x, t4, omega_z * t6));
-        let reduced_force_y = fma(0.11949421156607871, t43, reduced_force_y);
-        let reduced_force_z = fma(-0.07572646688984461, t42, force_z - fma(-omega_y, t6, omega_x * t2));
-        let reduced_force_z = fma(-0.3803708998478266, t43, reduced_force_z);
-        let reduced_moment_x = fma(-t28, t43, fma(-t27, t42, moment_x - (t7 + t9)));
-        let reduced_moment_y = fma(-t30, t43, fma(-t29, t42, moment_y - (t10 + t12)));
-        let reduced_moment_z = fma(-t32, t43, fma(-t31, t42, moment_z - (t13 + t15)));
+        // Elimination of the modal accelerations (55 operations: 43 multiply-add, 11 multiply, 1 add)
+        let t28 = fma(0.2807808078840186, modal_residual0, modal_residual1);
+        let t29 = fma(0.2807808078840186, coupling_x0, coupling_x1);
+        let t30 = 0.6109679684298599 * t29;
+        let t31 = coupling_x0 * 0.6441576139992576;
+        let t32 = fma(0.2807808078840186, coupling_y0, coupling_y1);
+        let t33 = 0.6109679684298599 * t32;
+        let t34 = coupling_y0 * 0.6441576139992576;
+        let t35 = fma(0.2807808078840186, coupling_z0, coupling_z1);
+        let t36 = 0.6109679684298599 * t35;
+        let t37 = coupling_z0 * 0.6441576139992576;
+        let t38 = fma(-0.20489076472014167, t29, coupling_x0 * -0.10947427309831884);
+        let t39 = fma(0.20489076472014167, t32, fma(0.10947427309831884, coupling_y0, first_moment_z));
+        let t40 = fma(-0.20489076472014167, t35, fma(coupling_z0, -0.10947427309831884, first_moment_y));
+        let t41 = fma(-0.09340198133197233, t29, fma(coupling_x0, 0.1691550279041342, first_moment_z));
+        let t42 = fma(-0.09340198133197233, t32, coupling_y0 * 0.1691550279041342);
+        let t43 = fma(0.09340198133197233, t35, fma(-0.1691550279041342, coupling_z0, first_moment_x));
+        let t44 = fma(-0.2973147838811091, t29, fma(-0.060777630855081075, coupling_x0, first_moment_y));
+        let t45 = fma(0.2973147838811091, t32, fma(coupling_y0, 0.060777630855081075, first_moment_x));
+        let t46 = fma(0.2973147838811091, t35, coupling_z0 * 0.060777630855081075);
+        let reduced_force_x = fma(0.10947427309831884, modal_residual0, force_x - fma(-omega_z, t2, omega_y * t4));
+        let reduced_force_x = fma(0.20489076472014167, t28, reduced_force_x);
+        let reduced_force_y = fma(-0.1691550279041342, modal_residual0, force_y - fma(-omega_x, t4, omega_z * t6));
+        let reduced_force_y = fma(0.09340198133197233, t28, reduced_force_y);
+        let reduced_force_z = fma(-0.060777630855081075, modal_residual0, force_z - fma(-omega_y, t6, omega_x * t2));
+        let reduced_force_z = fma(-0.2973147838811091, t28, reduced_force_z);
+        let t47 = t26 - t25;
+        let reduced_moment_x = fma(-t30, t28, fma(t47, t31, moment_x - (t7 + t9)));
+        let reduced_moment_y = fma(-t33, t28, fma(t47, t34, moment_y - (t10 + t12)));
+        let reduced_moment_z = fma(-t36, t28, fma(t47, t37, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t44 = fma(t41, -0.1605622514848684, fma(t38, -0.0007501754478183902, t35 * 0.00280766132980851));
-        let t45 = fma(t41, 0.0007501754478183902, fma(t38, 0.1581839850156077, t35 * -7.783874116004666e-5));
-        let t46 = fma(t41, 0.00280766132980851, fma(t38, 7.783874116004666e-5, t35 * -0.15894886803664116));
-        let t47 = fma(t36, t45, fma(t33, t46, fma(-t28, t32, fma(-t27, t31, inertia_xz))));
-        let t48 = fma(-t39, t44, t47);
-        let t49 = fma(t40, -0.1605622514848684, fma(t37, 0.0007501754478183902, t34 * -0.00280766132980851));
-        let t50 = fma(t40, 0.0007501754478183902, fma(t37, -0.1581839850156077, t34 * 7.783874116004666e-5));
-        let t51 = fma(t40, 0.00280766132980851, fma(t37, -7.783874116004666e-5, t34 * 0.15894886803664116));
-        let t52 = fma(t37, t50, fma(-t34, t51, fma(-t30, t30, fma(-t29, t29, inertia_yy))));
-        let t53 = fma(t40, t49, t52);
-        let t54 = fma(t37, t45, fma(-t34, t46, fma(-t30, t32, fma(-t29, t31, inertia_yz))));
-        let t55 = fma(t40, t44, t54);
-        let t56 = fma(t36, t50, fma(t33, t51, fma(-t28, t30, fma(-t27, t29, inertia_xy))));
-        let t57 = fma(-t39, t49, t56);
-        let t58 = fma(-t53, t48, t55 * t57);
-        let t59 = fma(-t38, t45, fma(t35, t46, fma(-t32, t32, fma(-t31, t31, inertia_zz))));
-        let t60 = fma(t41, t44, t59);
-        let t61 = fma(-t60, t57, t55 * t48);
-        let t62 = fma(t39, 0.1605622514848684, fma(t36, 0.0007501754478183902, t33 * 0.00280766132980851));
-        let t63 = fma(t39, -0.0007501754478183902, fma(t36, -0.1581839850156077, t33 * -7.783874116004666e-5));
-        let t64 = fma(t39, -0.00280766132980851, fma(t36, -7.783874116004666e-5, t33 * -0.15894886803664116));
-        let t65 = fma(t36, t63, fma(t33, t64, fma(-t28, t28, fma(-t27, t27, inertia_xx))));
-        let t66 = fma(-t39, t62, t65);
-        let t67 = fma(-t55, t55, t53 * t60);
-        let inverse_determinant = 1.0 / fma(t48, t58, fma(t57, t61, t66 * t67));
-        let t68 = fma(reduced_force_y, -0.0007501754478183902, reduced_force_x * -0.00280766132980851);
-        let t69 = fma(reduced_force_z, 0.1605622514848684, t68);
-        let t70 = fma(reduced_force_y, 0.1581839850156077, reduced_force_x * 7.783874116004666e-5);
-        let t71 = fma(reduced_force_z, -0.0007501754478183902, t70);
-        let t72 = fma(reduced_force_y, 7.783874116004666e-5, reduced_force_x * 0.15894886803664116);
-        let t73 = fma(reduced_force_z, -0.00280766132980851, t72);
-        let t74 = fma(t41, t69, fma(-t38, t71, fma(t35, t73, reduced_moment_z)));
-        let t75 = t58 * inverse_determinant;
-        let t76 = fma(t40, t69, fma(t37, t71, fma(-t34, t73, reduced_moment_y)));
-        let t77 = t61 * inverse_determinant;
-        let t78 = fma(-t39, t69, fma(t36, t71, fma(t33, t73, reduced_moment_x)));
-        let angular_acceleration_x = fma(t74, t75, fma(t76, t77, t78 * (t67 * inverse_determinant)));
-        let t79 = fma(-t66, t55, t48 * t57) * inverse_determinant;
-        let angular_acceleration_y = fma(t76, fma(-t48, t48, t66 * t60) * inverse_determinant, t78 * t77);
-        let angular_acceleration_y = fma(t74, t79, angular_acceleration_y);
-        let angular_acceleration_z = fma(t74, fma(-t57, t57, t66 * t53) * inverse_determinant, fma(t76, t79, t78 * t75));
-        let acceleration_x = fma(-t51, angular_acceleration_y, fma(-t64, angular_acceleration_x, t73));
-        let acceleration_x = fma(-t46, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t50, angular_acceleration_y, fma(-t63, angular_acceleration_x, t71));
-        let acceleration_y = fma(-t45, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t49, angular_acceleration_y, fma(-t62, angular_acceleration_x, t69));
-        let acceleration_z = fma(-t44, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t48 = fma(t38, 0.0004091582421192553, t41);
+        let t49 = fma(0.00467217817937168, t48, fma(0.017484523064286796, t38, t44));
+        let t50 = fma(-0.0004091582421192553, t40, t43);
+        let t51 = fma(0.00467217817937168, t50, fma(t40, -0.017484523064286796, t46));
+        let t52 = t51 * -0.1605622514848684;
+        let t53 = 0.15818048006224972 * t50;
+        let t54 = t40 * -0.1588997455690009;
+        let t55 = fma(t38, t54, fma(-t30, t35, fma(-coupling_z0, t31, inertia_xz)));
+        let t56 = fma(-t49, t52, fma(t48, t53, t55));
+        let t57 = fma(t39, -0.0004091582421192553, t42);
+        let t58 = fma(-0.00467217817937168, t57, fma(t39, 0.017484523064286796, t45));
+        let t59 = t58 * -0.1605622514848684;
+        let t60 = t57 * -0.15818048006224972;
+        let t61 = t39 * 0.1588997455690009;
+        let t62 = fma(t38, t61, fma(-t30, t32, fma(-coupling_y0, t31, inertia_xy)));
+        let t63 = fma(-t49, t59, fma(t48, t60, t62));
+        let t64 = t63 * 0.15636850806808475;
+        let t65 = fma(-t39, t54, fma(-t33, t35, fma(-coupling_z0, t34, inertia_yz)));
+        let t66 = 0.1605622514848684 * t49;
+        let t67 = t48 * -0.15818048006224972;
+        let t68 = t38 * -0.1588997455690009;
+        let t69 = fma(t38, t68, fma(-t29, t30, fma(-coupling_x0, t31, inertia_xx)));
+        let t70 = fma(-t49, t66, fma(t48, t67, t69));
+        let t71 = t70 * 0.15636850806808475;
+        let t72 = fma(-t56, t64, fma(t58, t52, fma(t57, t53, t65)) * t71);
+        let t73 = fma(-t39, t61, fma(-t32, t33, fma(-coupling_y0, t34, inertia_yy)));
+        let t74 = fma(-t63, t64, fma(t58, t59, fma(t57, t60, t73)) * t71);
+        let t75 = fma(t40, t54, fma(-t35, t36, fma(-coupling_z0, t37, inertia_zz)));
+        let t76 = fma(-t56, t56 * 0.15636850806808475, fma(t51, t52, fma(-t50, t53, t75)) * t71);
+        let t77 = 1.0 / t74;
+        let t78 = fma(0.0004091582421192553, reduced_force_x, reduced_force_y);
+        let t79 = fma(-0.00467217817937168, t78, fma(-0.017484523064286796, reduced_force_x, reduced_force_z));
+        let t80 = 0.1605622514848684 * t79;
+        let t81 = 0.15818048006224972 * t78;
+        let t82 = reduced_force_x * 0.1588997455690009;
+        let t83 = fma(-t49, t80, fma(t48, t81, fma(t38, t82, reduced_moment_x)));
+        let t84 = 1.0 / t70;
+        let t85 = t63 * t84;
+        let t86 = fma(t58, t80, fma(t57, t81, fma(-t39, t82, reduced_moment_y)));
+        let t87 = fma(-t83, t85, t86);
+        let t88 = t56 * t84;
+        let t89 = fma(t51, t80, fma(-t50, t81, fma(t40, t82, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t72, t72, t74 * t76) * (t71 * t74) * fma(-(t72 * t77), t87, fma(-t83, t88, t89));
+        let angular_acceleration_y = fma(-(t72 * t77), angular_acceleration_z, t71 * t77 * t87);
+        let angular_acceleration_x = fma(-t85, angular_acceleration_y, fma(-t88, angular_acceleration_z, t83 * t84));
+        let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t66, angular_acceleration_x, t80));
+        let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t60, angular_acceleration_y, fma(-t67, angular_acceleration_x, t81));
+        let acceleration_y = fma(-0.00467217817937168, acceleration_z, fma(-t53, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t61, angular_acceleration_y, fma(-t68, angular_acceleration_x, t82));
+        let acceleration_x = fma(-0.017484523064286796, acceleration_z, fma(-t54, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.0004091582421192553, acceleration_y, acceleration_x);
 
-        // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t80 = fma(0.11949421156607871, acceleration_y, fma(0.2621278482346651, acceleration_x, t43));
-        let t81 = fma(-t28, angular_acceleration_x, fma(-0.3803708998478266, acceleration_z, t80));
-        let t82 = fma(-t32, angular_acceleration_z, fma(-t30, angular_acceleration_y, t81));
-        let t83 = 0.7816444002421177 * t82;
-        let t84 = fma(-0.21076031493192482, acceleration_y, fma(0.13640051118209368, acceleration_x, t42));
-        let t85 = fma(-t27, angular_acceleration_x, fma(-0.07572646688984461, acceleration_z, t84));
-        let t86 = fma(-t31, angular_acceleration_z, fma(-t29, angular_acceleration_y, t85));
+        // Modal accelerations (13 operations: 13 multiply-add)
+        let t90 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t28);
+        let t91 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t90));
+        let t92 = fma(-t33, angular_acceleration_y, fma(-t30, angular_acceleration_x, t91));
+        let t93 = fma(-t36, angular_acceleration_z, t92);
+        let t94 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
+        let t95 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t94));
+        let t96 = fma(-t34, angular_acceleration_y, fma(-t31, angular_acceleration_x, t95));
+        let t97 = fma(0.2807808078840186, t93, fma(-t37, angular_acceleration_z, t96));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z,
-            0.8025943022469433 * fma(0.349841516564402, t83, t86), t83,
+            angular_acceleration_y, angular_acceleration_z, t97, t93,
         ]
     }
 
@@ -501,7 +510,7 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 365 operations: 231 multiply-add, 93 multiply, 40 add, 1 divide.
+    /// Cost: 353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 2],
@@ -617,93 +626,103 @@ const _: () = {
         let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
 
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
-        let t31 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
-        let modal_residual0 = modal_force0 - modal_quadratic0 - t31;
-        let t32 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
-        let modal_residual1 = modal_force1 - modal_quadratic1 - t32;
+        let t31 = modal_force0 - modal_quadratic0;
+        let t32 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
+        let modal_residual0 = t31 - t32;
+        let t33 = fma(0.7055357466385109, q_dot1, fma(70.5535746638511, q1, 0.02791682285998014 * q0));
+        let modal_residual1 = modal_force1 - modal_quadratic1 - t33;
 
-        // Elimination of the modal accelerations (54 operations: 43 multiply-add, 11 multiply)
-        let t33 = coupling_x0 * 0.8025943022469433;
-        let t34 = 0.7816444002421177 * fma(0.349841516564402, t33, coupling_x1);
-        let t35 = coupling_y0 * 0.8025943022469433;
-        let t36 = 0.7816444002421177 * fma(0.349841516564402, t35, coupling_y1);
-        let t37 = coupling_z0 * 0.8025943022469433;
-        let t38 = 0.7816444002421177 * fma(0.349841516564402, t37, coupling_z1);
-        let t39 = fma(-0.2621278482346651, t34, -0.13640051118209368 * t33);
-        let t40 = fma(0.2621278482346651, t36, fma(0.13640051118209368, t35, first_moment_z));
-        let t41 = fma(-0.2621278482346651, t38, fma(-0.13640051118209368, t37, first_moment_y));
-        let t42 = fma(-0.11949421156607871, t34, fma(0.21076031493192482, t33, first_moment_z));
-        let t43 = fma(-0.11949421156607871, t36, 0.21076031493192482 * t35);
-        let t44 = fma(0.11949421156607871, t38, fma(-0.21076031493192482, t37, first_moment_x));
-        let t45 = fma(-0.3803708998478266, t34, fma(-0.07572646688984461, t33, first_moment_y));
-        let t46 = fma(0.3803708998478266, t36, fma(0.07572646688984461, t35, first_moment_x));
-        let t47 = fma(0.3803708998478266, t38, 0.07572646688984461 * t37);
-        let t48 = modal_residual0 * 0.8025943022469433;
-        let t49 = 0.7816444002421177 * fma(0.349841516564402, t48, modal_residual1);
-        let reduced_force_x = fma(0.2621278482346651, t49, fma(0.13640051118209368, t48, force_x - t5));
-        let reduced_force_y = fma(0.11949421156607871, t49, fma(-0.21076031493192482, t48, force_y - t8));
-        let reduced_force_z = fma(-0.3803708998478266, t49, fma(-0.07572646688984461, t48, force_z - t9));
-        let reduced_moment_x = fma(-t34, t49, fma(-t33, t48, moment_x - t13));
-        let reduced_moment_y = fma(-t36, t49, fma(-t35, t48, moment_y - t17));
-        let reduced_moment_z = fma(-t38, t49, fma(-t37, t48, moment_z - t21));
+        // Elimination of the modal accelerations (55 operations: 43 multiply-add, 11 multiply, 1 add)
+        let t34 = fma(0.2807808078840186, modal_residual0, modal_residual1);
+        let t35 = fma(0.2807808078840186, coupling_x0, coupling_x1);
+        let t36 = 0.6109679684298599 * t35;
+        let t37 = coupling_x0 * 0.6441576139992576;
+        let t38 = fma(0.2807808078840186, coupling_y0, coupling_y1);
+        let t39 = 0.6109679684298599 * t38;
+        let t40 = coupling_y0 * 0.6441576139992576;
+        let t41 = fma(0.2807808078840186, coupling_z0, coupling_z1);
+        let t42 = 0.6109679684298599 * t41;
+        let t43 = coupling_z0 * 0.6441576139992576;
+        let t44 = fma(-0.20489076472014167, t35, coupling_x0 * -0.10947427309831884);
+        let t45 = fma(0.20489076472014167, t38, fma(0.10947427309831884, coupling_y0, first_moment_z));
+        let t46 = fma(-0.20489076472014167, t41, fma(coupling_z0, -0.10947427309831884, first_moment_y));
+        let t47 = fma(-0.09340198133197233, t35, fma(coupling_x0, 0.1691550279041342, first_moment_z));
+        let t48 = fma(-0.09340198133197233, t38, coupling_y0 * 0.1691550279041342);
+        let t49 = fma(0.09340198133197233, t41, fma(-0.1691550279041342, coupling_z0, first_moment_x));
+        let t50 = fma(-0.2973147838811091, t35, fma(-0.060777630855081075, coupling_x0, first_moment_y));
+        let t51 = fma(0.2973147838811091, t38, fma(coupling_y0, 0.060777630855081075, first_moment_x));
+        let t52 = fma(0.2973147838811091, t41, coupling_z0 * 0.060777630855081075);
+        let reduced_force_x = fma(0.20489076472014167, t34, fma(0.10947427309831884, modal_residual0, force_x - t5));
+        let reduced_force_y = fma(0.09340198133197233, t34, fma(-0.1691550279041342, modal_residual0, force_y - t8));
+        let reduced_force_z = fma(-0.2973147838811091, t34, fma(-0.060777630855081075, modal_residual0, force_z - t9));
+        let t53 = t32 - t31;
+        let reduced_moment_x = fma(-t36, t34, fma(t53, t37, moment_x - t13));
+        let reduced_moment_y = fma(-t39, t34, fma(t53, t40, moment_y - t17));
+        let reduced_moment_z = fma(-t42, t34, fma(t53, t43, moment_z - t21));
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t50 = fma(t47, -0.1605622514848684, fma(t44, -0.0007501754478183902, t41 * 0.00280766132980851));
-        let t51 = fma(t47, 0.0007501754478183902, fma(t44, 0.1581839850156077, t41 * -7.783874116004666e-5));
-        let t52 = fma(t47, 0.00280766132980851, fma(t44, 7.783874116004666e-5, t41 * -0.15894886803664116));
-        let t53 = fma(t42, t51, fma(t39, t52, fma(-t34, t38, fma(-t33, t37, inertia_xz))));
-        let t54 = fma(-t45, t50, t53);
-        let t55 = fma(t46, -0.1605622514848684, fma(t43, 0.0007501754478183902, t40 * -0.00280766132980851));
-        let t56 = fma(t46, 0.0007501754478183902, fma(t43, -0.1581839850156077, t40 * 7.783874116004666e-5));
-        let t57 = fma(t46, 0.00280766132980851, fma(t43, -7.783874116004666e-5, t40 * 0.15894886803664116));
-        let t58 = fma(t43, t56, fma(-t40, t57, fma(-t36, t36, fma(-t35, t35, inertia_yy))));
-        let t59 = fma(t46, t55, t58);
-        let t60 = fma(t43, t51, fma(-t40, t52, fma(-t36, t38, fma(-t35, t37, inertia_yz))));
-        let t61 = fma(t46, t50, t60);
-        let t62 = fma(t42, t56, fma(t39, t57, fma(-t34, t36, fma(-t33, t35, inertia_xy))));
-        let t63 = fma(-t45, t55, t62);
-        let t64 = fma(-t59, t54, t61 * t63);
-        let t65 = fma(-t44, t51, fma(t41, t52, fma(-t38, t38, fma(-t37, t37, inertia_zz))));
-        let t66 = fma(t47, t50, t65);
-        let t67 = fma(-t66, t63, t61 * t54);
-        let t68 = fma(t45, 0.1605622514848684, fma(t42, 0.0007501754478183902, t39 * 0.00280766132980851));
-        let t69 = fma(t45, -0.0007501754478183902, fma(t42, -0.1581839850156077, t39 * -7.783874116004666e-5));
-        let t70 = fma(t45, -0.00280766132980851, fma(t42, -7.783874116004666e-5, t39 * -0.15894886803664116));
-        let t71 = fma(t42, t69, fma(t39, t70, fma(-t34, t34, fma(-t33, t33, inertia_xx))));
-        let t72 = fma(-t45, t68, t71);
-        let t73 = fma(-t61, t61, t59 * t66);
-        let inverse_determinant = 1.0 / fma(t54, t64, fma(t63, t67, t72 * t73));
-        let t74 = fma(reduced_force_y, -0.0007501754478183902, reduced_force_x * -0.00280766132980851);
-        let t75 = fma(reduced_force_z, 0.1605622514848684, t74);
-        let t76 = fma(reduced_force_y, 0.1581839850156077, reduced_force_x * 7.783874116004666e-5);
-        let t77 = fma(reduced_force_z, -0.0007501754478183902, t76);
-        let t78 = fma(reduced_force_y, 7.783874116004666e-5, reduced_force_x * 0.15894886803664116);
-        let t79 = fma(reduced_force_z, -0.00280766132980851, t78);
-        let t80 = fma(t47, t75, fma(-t44, t77, fma(t41, t79, reduced_moment_z)));
-        let t81 = t64 * inverse_determinant;
-        let t82 = fma(t46, t75, fma(t43, t77, fma(-t40, t79, reduced_moment_y)));
-        let t83 = t67 * inverse_determinant;
-        let t84 = fma(-t45, t75, fma(t42, t77, fma(t39, t79, reduced_moment_x)));
-        let angular_acceleration_x = fma(t80, t81, fma(t82, t83, t84 * (t73 * inverse_determinant)));
-        let t85 = fma(-t72, t61, t54 * t63) * inverse_determinant;
-        let angular_acceleration_y = fma(t82, fma(-t54, t54, t72 * t66) * inverse_determinant, t84 * t83);
-        let angular_acceleration_y = fma(t80, t85, angular_acceleration_y);
-        let angular_acceleration_z = fma(t80, fma(-t63, t63, t72 * t59) * inverse_determinant, fma(t82, t85, t84 * t81));
-        let acceleration_x = fma(-t57, angular_acceleration_y, fma(-t70, angular_acceleration_x, t79));
-        let acceleration_x = fma(-t52, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t56, angular_acceleration_y, fma(-t69, angular_acceleration_x, t77));
-        let acceleration_y = fma(-t51, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t55, angular_acceleration_y, fma(-t68, angular_acceleration_x, t75));
-        let acceleration_z = fma(-t50, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t54 = fma(t44, 0.0004091582421192553, t47);
+        let t55 = fma(0.00467217817937168, t54, fma(0.017484523064286796, t44, t50));
+        let t56 = fma(-0.0004091582421192553, t46, t49);
+        let t57 = fma(0.00467217817937168, t56, fma(t46, -0.017484523064286796, t52));
+        let t58 = t57 * -0.1605622514848684;
+        let t59 = 0.15818048006224972 * t56;
+        let t60 = t46 * -0.1588997455690009;
+        let t61 = fma(t44, t60, fma(-t36, t41, fma(-coupling_z0, t37, inertia_xz)));
+        let t62 = fma(-t55, t58, fma(t54, t59, t61));
+        let t63 = fma(t45, -0.0004091582421192553, t48);
+        let t64 = fma(-0.00467217817937168, t63, fma(t45, 0.017484523064286796, t51));
+        let t65 = t64 * -0.1605622514848684;
+        let t66 = t63 * -0.15818048006224972;
+        let t67 = t45 * 0.1588997455690009;
+        let t68 = fma(t44, t67, fma(-t36, t38, fma(-coupling_y0, t37, inertia_xy)));
+        let t69 = fma(-t55, t65, fma(t54, t66, t68));
+        let t70 = t69 * 0.15636850806808475;
+        let t71 = fma(-t45, t60, fma(-t39, t41, fma(-coupling_z0, t40, inertia_yz)));
+        let t72 = 0.1605622514848684 * t55;
+        let t73 = t54 * -0.15818048006224972;
+        let t74 = t44 * -0.1588997455690009;
+        let t75 = fma(t44, t74, fma(-t35, t36, fma(-coupling_x0, t37, inertia_xx)));
+        let t76 = fma(-t55, t72, fma(t54, t73, t75));
+        let t77 = t76 * 0.15636850806808475;
+        let t78 = fma(-t62, t70, fma(t64, t58, fma(t63, t59, t71)) * t77);
+        let t79 = fma(-t45, t67, fma(-t38, t39, fma(-coupling_y0, t40, inertia_yy)));
+        let t80 = fma(-t69, t70, fma(t64, t65, fma(t63, t66, t79)) * t77);
+        let t81 = fma(t46, t60, fma(-t41, t42, fma(-coupling_z0, t43, inertia_zz)));
+        let t82 = fma(-t62, t62 * 0.15636850806808475, fma(t57, t58, fma(-t56, t59, t81)) * t77);
+        let t83 = 1.0 / t80;
+        let t84 = fma(0.0004091582421192553, reduced_force_x, reduced_force_y);
+        let t85 = fma(-0.00467217817937168, t84, fma(-0.017484523064286796, reduced_force_x, reduced_force_z));
+        let t86 = 0.1605622514848684 * t85;
+        let t87 = 0.15818048006224972 * t84;
+        let t88 = reduced_force_x * 0.1588997455690009;
+        let t89 = fma(-t55, t86, fma(t54, t87, fma(t44, t88, reduced_moment_x)));
+        let t90 = 1.0 / t76;
+        let t91 = t69 * t90;
+        let t92 = fma(t64, t86, fma(t63, t87, fma(-t45, t88, reduced_moment_y)));
+        let t93 = fma(-t89, t91, t92);
+        let t94 = t62 * t90;
+        let t95 = fma(t57, t86, fma(-t56, t87, fma(t46, t88, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t78, t78, t80 * t82) * (t77 * t80) * fma(-(t78 * t83), t93, fma(-t89, t94, t95));
+        let angular_acceleration_y = fma(-(t78 * t83), angular_acceleration_z, t77 * t83 * t93);
+        let angular_acceleration_x = fma(-t91, angular_acceleration_y, fma(-t94, angular_acceleration_z, t89 * t90));
+        let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t72, angular_acceleration_x, t86));
+        let acceleration_z = fma(-t58, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t87));
+        let acceleration_y = fma(-0.00467217817937168, acceleration_z, fma(-t59, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t88));
+        let acceleration_x = fma(-0.017484523064286796, acceleration_z, fma(-t60, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.0004091582421192553, acceleration_y, acceleration_x);
 
-        // Modal accelerations (15 operations: 13 multiply-add, 2 multiply)
-        let t86 = fma(0.11949421156607871, acceleration_y, fma(0.2621278482346651, acceleration_x, t49));
-        let t87 = fma(-t34, angular_acceleration_x, fma(-0.3803708998478266, acceleration_z, t86));
-        let t88 = fma(-t38, angular_acceleration_z, fma(-t36, angular_acceleration_y, t87));
-        let t89 = 0.7816444002421177 * t88;
-        let t90 = fma(-0.21076031493192482, acceleration_y, fma(0.13640051118209368, acceleration_x, t48));
-        let t91 = fma(-t33, angular_acceleration_x, fma(-0.07572646688984461, acceleration_z, t90));
-        let t92 = fma(-t37, angular_acceleration_z, fma(-t35, angular_acceleration_y, t91));
+        // Modal accelerations (13 operations: 13 multiply-add)
+        let t96 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t34);
+        let t97 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t96));
+        let t98 = fma(-t39, angular_acceleration_y, fma(-t36, angular_acceleration_x, t97));
+        let t99 = fma(-t42, angular_acceleration_z, t98);
+        let t100 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
+        let t101 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t100));
+        let t102 = fma(-t40, angular_acceleration_y, fma(-t37, angular_acceleration_x, t101));
+        let t103 = fma(0.2807808078840186, t99, fma(-t43, angular_acceleration_z, t102));
 
         (
             [
@@ -743,8 +762,7 @@ const _: () = {
             [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z,
-                0.8025943022469433 * fma(0.349841516564402, t89, t92), t89,
+                angular_acceleration_y, angular_acceleration_z, t103, t99,
             ],
         )
     }

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          67 operations: 41 multiply-add, 6 multiply, 20 add
 //   quadratic_velocity   175 operations: 93 multiply-add, 50 multiply, 32 add
-//   forward_dynamics     348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide
-//   equations_of_motion  348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide
+//   forward_dynamics     337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
+//   equations_of_motion  337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
 //   kinetic_energy       135 operations: 79 multiply-add, 25 multiply, 31 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -326,7 +326,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
     fn forward_dynamics<T: support::Number>(
         q: &[T; 2],
@@ -468,15 +468,11 @@ const _: () = {
         let t36 = fma(constant(0.1808945023903729), coupling_z0, first_moment_y);
         let t37 = fma(constant(0.260950312316442), coupling_z1, t36);
         let t38 = fma(constant(0.036312876401983746), coupling_x0, first_moment_z);
-        let t39 = fma(constant(0.04434516152818317), coupling_x1, t38);
-        let t40 = fma(constant(0.04434516152818317), coupling_y1, constant(0.036312876401983746) * coupling_y0);
-        let t41 = fma(constant(-0.036312876401983746), coupling_z0, first_moment_x);
-        let t42 = fma(constant(-0.04434516152818317), coupling_z1, t41);
-        let t43 = fma(constant(0.253438228790526), coupling_x0, first_moment_y);
-        let t44 = fma(constant(-0.018906293194520626), coupling_x1, t43);
-        let t45 = fma(constant(-0.253438228790526), coupling_y0, first_moment_x);
-        let t46 = fma(constant(0.018906293194520626), coupling_y1, t45);
-        let t47 = fma(constant(0.018906293194520626), coupling_z1, constant(-0.253438228790526) * coupling_z0);
+        let t39 = fma(constant(0.04434516152818317), coupling_y1, constant(0.036312876401983746) * coupling_y0);
+        let t40 = fma(constant(-0.036312876401983746), coupling_z0, first_moment_x);
+        let t41 = fma(constant(0.253438228790526), coupling_x0, first_moment_y);
+        let t42 = fma(constant(-0.253438228790526), coupling_y0, first_moment_x);
+        let t43 = fma(constant(0.018906293194520626), coupling_z1, constant(-0.253438228790526) * coupling_z0);
         let reduced_force_x = fma(constant(-0.1808945023903729), modal_residual0, force_x - fma(-omega_z, t2, omega_y * t4));
         let reduced_force_x = fma(constant(-0.260950312316442), modal_residual1, reduced_force_x);
         let reduced_force_y = fma(constant(-0.036312876401983746), modal_residual0, force_y - fma(-omega_x, t4, omega_z * t6));
@@ -487,71 +483,69 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t48 = fma(t42, constant(-0.00012322715833298665), t37 * constant(0.0006036179018651099));
-        let t49 = fma(t47, constant(-0.12117363585233806), t48);
-        let t50 = fma(t42, constant(0.12027778732005565), t37 * constant(-0.00026616385403660926));
-        let t51 = fma(t47, constant(0.00012322715833298665), t50);
-        let t52 = fma(t42, constant(0.00026616385403660926), t37 * constant(-0.12170838947130831));
-        let t53 = fma(t47, constant(0.0006036179018651099), t52);
-        let t54 = fma(-t44, t49, fma(t39, t51, fma(t33, t53, t31)));
-        let t55 = fma(t40, constant(0.00012322715833298665), t35 * constant(-0.0006036179018651099));
-        let t56 = fma(t46, constant(-0.12117363585233806), t55);
-        let t57 = fma(t40, constant(-0.12027778732005565), t35 * constant(0.00026616385403660926));
-        let t58 = fma(t46, constant(0.00012322715833298665), t57);
-        let t59 = fma(t40, constant(-0.00026616385403660926), t35 * constant(0.12170838947130831));
-        let t60 = fma(t46, constant(0.0006036179018651099), t59);
-        let t61 = fma(t46, t56, fma(t40, t58, fma(-t35, t60, t28)));
-        let t62 = fma(t46, t49, fma(t40, t51, fma(-t35, t53, t30)));
-        let t63 = fma(-t44, t56, fma(t39, t58, fma(t33, t60, t32)));
-        let t64 = fma(-t61, t54, t62 * t63);
-        let t65 = fma(t47, t49, fma(-t42, t51, fma(t37, t53, t29)));
-        let t66 = fma(-t65, t63, t62 * t54);
-        let t67 = fma(t39, constant(0.00012322715833298665), t33 * constant(0.0006036179018651099));
-        let t68 = fma(t44, constant(0.12117363585233806), t67);
-        let t69 = fma(t39, constant(-0.12027778732005565), t33 * constant(-0.00026616385403660926));
-        let t70 = fma(t44, constant(-0.00012322715833298665), t69);
-        let t71 = fma(t39, constant(-0.00026616385403660926), t33 * constant(-0.12170838947130831));
-        let t72 = fma(t44, constant(-0.0006036179018651099), t71);
-        let t73 = fma(-t44, t68, fma(t39, t70, fma(t33, t72, t27)));
-        let t74 = fma(-t62, t62, t61 * t65);
-        let inverse_determinant = constant(1.0) / fma(t54, t64, fma(t63, t66, t73 * t74));
-        let t75 = fma(reduced_force_y, constant(-0.00012322715833298665), reduced_force_x * constant(-0.0006036179018651099));
-        let t76 = fma(reduced_force_z, constant(0.12117363585233806), t75);
-        let t77 = fma(reduced_force_y, constant(0.12027778732005565), reduced_force_x * constant(0.00026616385403660926));
-        let t78 = fma(reduced_force_z, constant(-0.00012322715833298665), t77);
-        let t79 = fma(reduced_force_y, constant(0.00026616385403660926), reduced_force_x * constant(0.12170838947130831));
-        let t80 = fma(reduced_force_z, constant(-0.0006036179018651099), t79);
-        let t81 = fma(t47, t76, fma(-t42, t78, fma(t37, t80, reduced_moment_z)));
-        let t82 = t64 * inverse_determinant;
-        let t83 = fma(t46, t76, fma(t40, t78, fma(-t35, t80, reduced_moment_y)));
-        let t84 = t66 * inverse_determinant;
-        let t85 = fma(-t44, t76, fma(t39, t78, fma(t33, t80, reduced_moment_x)));
-        let angular_acceleration_x = fma(t81, t82, fma(t83, t84, t85 * (t74 * inverse_determinant)));
-        let t86 = fma(-t73, t62, t54 * t63) * inverse_determinant;
-        let angular_acceleration_y = fma(t83, fma(-t54, t54, t73 * t65) * inverse_determinant, t85 * t84);
-        let angular_acceleration_y = fma(t81, t86, angular_acceleration_y);
-        let angular_acceleration_z = fma(t81, fma(-t63, t63, t73 * t61) * inverse_determinant, fma(t83, t86, t85 * t82));
-        let acceleration_x = fma(-t60, angular_acceleration_y, fma(-t72, angular_acceleration_x, t80));
-        let acceleration_x = fma(-t53, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t58, angular_acceleration_y, fma(-t70, angular_acceleration_x, t78));
-        let acceleration_y = fma(-t51, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t56, angular_acceleration_y, fma(-t68, angular_acceleration_x, t76));
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t44 = fma(t33, constant(0.0022078081850939314), fma(constant(0.04434516152818317), coupling_x1, t38));
+        let t45 = fma(constant(0.004979184091426888), t33, fma(constant(-0.018906293194520626), coupling_x1, t41));
+        let t46 = fma(constant(0.0010169469411906648), t44, t45);
+        let t47 = fma(constant(-0.0022078081850939314), t37, fma(constant(-0.04434516152818317), coupling_z1, t40));
+        let t48 = fma(constant(0.0010169469411906648), t47, fma(t37, constant(-0.004979184091426888), t43));
+        let t49 = t48 * constant(-0.12117363585233806);
+        let t50 = constant(0.1202776620045739) * t47;
+        let t51 = t37 * constant(-0.12170479630791853);
+        let t52 = fma(-t46, t49, fma(t44, t50, fma(t33, t51, t31)));
+        let t53 = fma(t35, constant(-0.0022078081850939314), t39);
+        let t54 = fma(t35, constant(0.004979184091426888), fma(constant(0.018906293194520626), coupling_y1, t42));
+        let t55 = fma(constant(-0.0010169469411906648), t53, t54);
+        let t56 = t55 * constant(-0.12117363585233806);
+        let t57 = t53 * constant(-0.1202776620045739);
+        let t58 = t35 * constant(0.12170479630791853);
+        let t59 = fma(-t46, t56, fma(t44, t57, fma(t33, t58, t32)));
+        let t60 = t59 * constant(0.07217663054894499);
+        let t61 = constant(0.12117363585233806) * t46;
+        let t62 = t44 * constant(-0.1202776620045739);
+        let t63 = t33 * constant(-0.12170479630791853);
+        let t64 = fma(-t46, t61, fma(t44, t62, fma(t33, t63, t27)));
+        let t65 = t64 * constant(0.07217663054894499);
+        let t66 = fma(-t52, t60, fma(t55, t49, fma(t53, t50, fma(-t35, t51, t30))) * t65);
+        let t67 = fma(-t59, t60, fma(t55, t56, fma(t53, t57, fma(-t35, t58, t28))) * t65);
+        let t68 = fma(-t52, t52 * constant(0.07217663054894499), fma(t48, t49, fma(-t47, t50, fma(t37, t51, t29))) * t65);
+        let t69 = constant(1.0) / t67;
+        let t70 = fma(constant(0.0022078081850939314), reduced_force_x, reduced_force_y);
+        let t71 = fma(constant(-0.004979184091426888), reduced_force_x, reduced_force_z);
+        let t72 = constant(0.12117363585233806) * fma(constant(-0.0010169469411906648), t70, t71);
+        let t73 = constant(0.1202776620045739) * t70;
+        let t74 = reduced_force_x * constant(0.12170479630791853);
+        let t75 = fma(-t46, t72, fma(t44, t73, fma(t33, t74, reduced_moment_x)));
+        let t76 = constant(1.0) / t64;
+        let t77 = t59 * t76;
+        let t78 = fma(t55, t72, fma(t53, t73, fma(-t35, t74, reduced_moment_y)));
+        let t79 = fma(-t75, t77, t78);
+        let t80 = t52 * t76;
+        let t81 = fma(t48, t72, fma(-t47, t73, fma(t37, t74, reduced_moment_z)));
+        let angular_acceleration_z = constant(1.0) / fma(-t66, t66, t67 * t68) * (t65 * t67) * fma(-(t66 * t69), t79, fma(-t75, t80, t81));
+        let angular_acceleration_y = fma(-(t66 * t69), angular_acceleration_z, t65 * t69 * t79);
+        let angular_acceleration_x = fma(-t77, angular_acceleration_y, fma(-t80, angular_acceleration_z, t75 * t76));
+        let acceleration_z = fma(-t56, angular_acceleration_y, fma(-t61, angular_acceleration_x, t72));
         let acceleration_z = fma(-t49, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t57, angular_acceleration_y, fma(-t62, angular_acceleration_x, t73));
+        let acceleration_y = fma(constant(-0.0010169469411906648), acceleration_z, fma(-t50, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t58, angular_acceleration_y, fma(-t63, angular_acceleration_x, t74));
+        let acceleration_x = fma(constant(-0.004979184091426888), acceleration_z, fma(-t51, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(constant(0.0022078081850939314), acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t87 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
-        let t88 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t87));
-        let t89 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t88));
-        let t90 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
-        let t91 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t90));
-        let t92 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t91));
+        let t82 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
+        let t83 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t82));
+        let t84 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t83));
+        let t85 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
+        let t86 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t85));
+        let t87 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t86));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            fma(-coupling_z0, angular_acceleration_z, t89),
-            fma(-coupling_z1, angular_acceleration_z, t92),
+            fma(-coupling_z0, angular_acceleration_z, t84),
+            fma(-coupling_z1, angular_acceleration_z, t87),
         ]
     }
 
@@ -559,7 +553,7 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
     fn equations_of_motion<T: support::Number>(
         q: &[T; 2],
@@ -707,15 +701,11 @@ const _: () = {
         let t42 = fma(constant(0.1808945023903729), coupling_z0, first_moment_y);
         let t43 = fma(constant(0.260950312316442), coupling_z1, t42);
         let t44 = fma(constant(0.036312876401983746), coupling_x0, first_moment_z);
-        let t45 = fma(constant(0.04434516152818317), coupling_x1, t44);
-        let t46 = fma(constant(0.04434516152818317), coupling_y1, constant(0.036312876401983746) * coupling_y0);
-        let t47 = fma(constant(-0.036312876401983746), coupling_z0, first_moment_x);
-        let t48 = fma(constant(-0.04434516152818317), coupling_z1, t47);
-        let t49 = fma(constant(0.253438228790526), coupling_x0, first_moment_y);
-        let t50 = fma(constant(-0.018906293194520626), coupling_x1, t49);
-        let t51 = fma(constant(-0.253438228790526), coupling_y0, first_moment_x);
-        let t52 = fma(constant(0.018906293194520626), coupling_y1, t51);
-        let t53 = fma(constant(0.018906293194520626), coupling_z1, constant(-0.253438228790526) * coupling_z0);
+        let t45 = fma(constant(0.04434516152818317), coupling_y1, constant(0.036312876401983746) * coupling_y0);
+        let t46 = fma(constant(-0.036312876401983746), coupling_z0, first_moment_x);
+        let t47 = fma(constant(0.253438228790526), coupling_x0, first_moment_y);
+        let t48 = fma(constant(-0.253438228790526), coupling_y0, first_moment_x);
+        let t49 = fma(constant(0.018906293194520626), coupling_z1, constant(-0.253438228790526) * coupling_z0);
         let reduced_force_x = fma(constant(-0.1808945023903729), modal_residual0, force_x - t5);
         let reduced_force_x = fma(constant(-0.260950312316442), modal_residual1, reduced_force_x);
         let reduced_force_y = fma(constant(-0.036312876401983746), modal_residual0, force_y - t8);
@@ -726,65 +716,63 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t54 = fma(t48, constant(-0.00012322715833298665), t43 * constant(0.0006036179018651099));
-        let t55 = fma(t53, constant(-0.12117363585233806), t54);
-        let t56 = fma(t48, constant(0.12027778732005565), t43 * constant(-0.00026616385403660926));
-        let t57 = fma(t53, constant(0.00012322715833298665), t56);
-        let t58 = fma(t48, constant(0.00026616385403660926), t43 * constant(-0.12170838947130831));
-        let t59 = fma(t53, constant(0.0006036179018651099), t58);
-        let t60 = fma(-t50, t55, fma(t45, t57, fma(t39, t59, t37)));
-        let t61 = fma(t46, constant(0.00012322715833298665), t41 * constant(-0.0006036179018651099));
-        let t62 = fma(t52, constant(-0.12117363585233806), t61);
-        let t63 = fma(t46, constant(-0.12027778732005565), t41 * constant(0.00026616385403660926));
-        let t64 = fma(t52, constant(0.00012322715833298665), t63);
-        let t65 = fma(t46, constant(-0.00026616385403660926), t41 * constant(0.12170838947130831));
-        let t66 = fma(t52, constant(0.0006036179018651099), t65);
-        let t67 = fma(t52, t62, fma(t46, t64, fma(-t41, t66, t34)));
-        let t68 = fma(t52, t55, fma(t46, t57, fma(-t41, t59, t36)));
-        let t69 = fma(-t50, t62, fma(t45, t64, fma(t39, t66, t38)));
-        let t70 = fma(-t67, t60, t68 * t69);
-        let t71 = fma(t53, t55, fma(-t48, t57, fma(t43, t59, t35)));
-        let t72 = fma(-t71, t69, t68 * t60);
-        let t73 = fma(t45, constant(0.00012322715833298665), t39 * constant(0.0006036179018651099));
-        let t74 = fma(t50, constant(0.12117363585233806), t73);
-        let t75 = fma(t45, constant(-0.12027778732005565), t39 * constant(-0.00026616385403660926));
-        let t76 = fma(t50, constant(-0.00012322715833298665), t75);
-        let t77 = fma(t45, constant(-0.00026616385403660926), t39 * constant(-0.12170838947130831));
-        let t78 = fma(t50, constant(-0.0006036179018651099), t77);
-        let t79 = fma(-t50, t74, fma(t45, t76, fma(t39, t78, t33)));
-        let t80 = fma(-t68, t68, t67 * t71);
-        let inverse_determinant = constant(1.0) / fma(t60, t70, fma(t69, t72, t79 * t80));
-        let t81 = fma(reduced_force_y, constant(-0.00012322715833298665), reduced_force_x * constant(-0.0006036179018651099));
-        let t82 = fma(reduced_force_z, constant(0.12117363585233806), t81);
-        let t83 = fma(reduced_force_y, constant(0.12027778732005565), reduced_force_x * constant(0.00026616385403660926));
-        let t84 = fma(reduced_force_z, constant(-0.00012322715833298665), t83);
-        let t85 = fma(reduced_force_y, constant(0.00026616385403660926), reduced_force_x * constant(0.12170838947130831));
-        let t86 = fma(reduced_force_z, constant(-0.0006036179018651099), t85);
-        let t87 = fma(t53, t82, fma(-t48, t84, fma(t43, t86, reduced_moment_z)));
-        let t88 = t70 * inverse_determinant;
-        let t89 = fma(t52, t82, fma(t46, t84, fma(-t41, t86, reduced_moment_y)));
-        let t90 = t72 * inverse_determinant;
-        let t91 = fma(-t50, t82, fma(t45, t84, fma(t39, t86, reduced_moment_x)));
-        let angular_acceleration_x = fma(t87, t88, fma(t89, t90, t91 * (t80 * inverse_determinant)));
-        let t92 = fma(-t79, t68, t60 * t69) * inverse_determinant;
-        let angular_acceleration_y = fma(t89, fma(-t60, t60, t79 * t71) * inverse_determinant, t91 * t90);
-        let angular_acceleration_y = fma(t87, t92, angular_acceleration_y);
-        let angular_acceleration_z = fma(t87, fma(-t69, t69, t79 * t67) * inverse_determinant, fma(t89, t92, t91 * t88));
-        let acceleration_x = fma(-t66, angular_acceleration_y, fma(-t78, angular_acceleration_x, t86));
-        let acceleration_x = fma(-t59, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t64, angular_acceleration_y, fma(-t76, angular_acceleration_x, t84));
-        let acceleration_y = fma(-t57, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t62, angular_acceleration_y, fma(-t74, angular_acceleration_x, t82));
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t50 = fma(t39, constant(0.0022078081850939314), fma(constant(0.04434516152818317), coupling_x1, t44));
+        let t51 = fma(constant(0.004979184091426888), t39, fma(constant(-0.018906293194520626), coupling_x1, t47));
+        let t52 = fma(constant(0.0010169469411906648), t50, t51);
+        let t53 = fma(constant(-0.0022078081850939314), t43, fma(constant(-0.04434516152818317), coupling_z1, t46));
+        let t54 = fma(constant(0.0010169469411906648), t53, fma(t43, constant(-0.004979184091426888), t49));
+        let t55 = t54 * constant(-0.12117363585233806);
+        let t56 = constant(0.1202776620045739) * t53;
+        let t57 = t43 * constant(-0.12170479630791853);
+        let t58 = fma(-t52, t55, fma(t50, t56, fma(t39, t57, t37)));
+        let t59 = fma(t41, constant(-0.0022078081850939314), t45);
+        let t60 = fma(t41, constant(0.004979184091426888), fma(constant(0.018906293194520626), coupling_y1, t48));
+        let t61 = fma(constant(-0.0010169469411906648), t59, t60);
+        let t62 = t61 * constant(-0.12117363585233806);
+        let t63 = t59 * constant(-0.1202776620045739);
+        let t64 = t41 * constant(0.12170479630791853);
+        let t65 = fma(-t52, t62, fma(t50, t63, fma(t39, t64, t38)));
+        let t66 = t65 * constant(0.07217663054894499);
+        let t67 = constant(0.12117363585233806) * t52;
+        let t68 = t50 * constant(-0.1202776620045739);
+        let t69 = t39 * constant(-0.12170479630791853);
+        let t70 = fma(-t52, t67, fma(t50, t68, fma(t39, t69, t33)));
+        let t71 = t70 * constant(0.07217663054894499);
+        let t72 = fma(-t58, t66, fma(t61, t55, fma(t59, t56, fma(-t41, t57, t36))) * t71);
+        let t73 = fma(-t65, t66, fma(t61, t62, fma(t59, t63, fma(-t41, t64, t34))) * t71);
+        let t74 = fma(-t58, t58 * constant(0.07217663054894499), fma(t54, t55, fma(-t53, t56, fma(t43, t57, t35))) * t71);
+        let t75 = constant(1.0) / t73;
+        let t76 = fma(constant(0.0022078081850939314), reduced_force_x, reduced_force_y);
+        let t77 = fma(constant(-0.004979184091426888), reduced_force_x, reduced_force_z);
+        let t78 = constant(0.12117363585233806) * fma(constant(-0.0010169469411906648), t76, t77);
+        let t79 = constant(0.1202776620045739) * t76;
+        let t80 = reduced_force_x * constant(0.12170479630791853);
+        let t81 = fma(-t52, t78, fma(t50, t79, fma(t39, t80, reduced_moment_x)));
+        let t82 = constant(1.0) / t70;
+        let t83 = t65 * t82;
+        let t84 = fma(t61, t78, fma(t59, t79, fma(-t41, t80, reduced_moment_y)));
+        let t85 = fma(-t81, t83, t84);
+        let t86 = t58 * t82;
+        let t87 = fma(t54, t78, fma(-t53, t79, fma(t43, t80, reduced_moment_z)));
+        let angular_acceleration_z = constant(1.0) / fma(-t72, t72, t73 * t74) * (t71 * t73) * fma(-(t72 * t75), t85, fma(-t81, t86, t87));
+        let angular_acceleration_y = fma(-(t72 * t75), angular_acceleration_z, t71 * t75 * t85);
+        let angular_acceleration_x = fma(-t83, angular_acceleration_y, fma(-t86, angular_acceleration_z, t81 * t82));
+        let acceleration_z = fma(-t62, angular_acceleration_y, fma(-t67, angular_acceleration_x, t78));
         let acceleration_z = fma(-t55, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t63, angular_acceleration_y, fma(-t68, angular_acceleration_x, t79));
+        let acceleration_y = fma(constant(-0.0010169469411906648), acceleration_z, fma(-t56, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t64, angular_acceleration_y, fma(-t69, angular_acceleration_x, t80));
+        let acceleration_x = fma(constant(-0.004979184091426888), acceleration_z, fma(-t57, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(constant(0.0022078081850939314), acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t93 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
-        let t94 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t93));
-        let t95 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t94));
-        let t96 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
-        let t97 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t96));
-        let t98 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t97));
+        let t88 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
+        let t89 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t88));
+        let t90 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t89));
+        let t91 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
+        let t92 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t91));
+        let t93 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t92));
 
         (
             [
@@ -829,8 +817,8 @@ const _: () = {
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
-                fma(-coupling_z0, angular_acceleration_z, t95),
-                fma(-coupling_z1, angular_acceleration_z, t98),
+                fma(-coupling_z0, angular_acceleration_z, t90),
+                fma(-coupling_z1, angular_acceleration_z, t93),
             ],
         )
     }

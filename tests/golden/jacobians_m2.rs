@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          67 operations: 41 multiply-add, 6 multiply, 20 add
 //   quadratic_velocity   175 operations: 93 multiply-add, 50 multiply, 32 add
-//   forward_dynamics     348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide
-//   equations_of_motion  348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide
+//   forward_dynamics     337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
+//   equations_of_motion  337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
 //   kinetic_energy       135 operations: 79 multiply-add, 25 multiply, 31 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -22,7 +22,7 @@
 //   damping              0 operations
 //   mass                 0 operations
 //   prepare              181 operations: 97 multiply-add, 52 multiply, 32 add
-//   acceleration_jacobian 1344 operations: 912 multiply-add, 259 multiply, 172 add, 1 divide
+//   acceleration_jacobian 1405 operations: 954 multiply-add, 276 multiply, 172 add, 3 divide
 //   residual_jacobian    613 operations: 288 multiply-add, 157 multiply, 168 add
 
 /// Flexible body "random body with 2 modes" with 2 modes.
@@ -296,7 +296,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -432,61 +432,65 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t42 = fma(t41, -0.12702385080665668, fma(t38, 0.000253729233449132, t35 * -0.0029901429709046825));
-        let t43 = fma(t41, -0.000253729233449132, fma(t38, 0.1257788668457493, t35 * -0.0004398005649018212));
-        let t44 = fma(t41, -0.0029901429709046825, fma(t38, 0.0004398005649018212, t35 * -0.13702315917076313));
-        let t45 = fma(-t39, t42, fma(t36, t43, fma(t33, t44, t31)));
-        let t46 = fma(t40, -0.12702385080665668, fma(t37, -0.000253729233449132, t34 * 0.0029901429709046825));
-        let t47 = fma(t40, -0.000253729233449132, fma(t37, -0.1257788668457493, t34 * 0.0004398005649018212));
-        let t48 = fma(t40, -0.0029901429709046825, fma(t37, -0.0004398005649018212, t34 * 0.13702315917076313));
-        let t49 = fma(t40, t46, fma(t37, t47, fma(-t34, t48, t28)));
-        let t50 = fma(t40, t42, fma(t37, t43, fma(-t34, t44, t30)));
-        let t51 = fma(-t39, t46, fma(t36, t47, fma(t33, t48, t32)));
-        let t52 = fma(-t49, t45, t50 * t51);
-        let t53 = fma(t41, t42, fma(-t38, t43, fma(t35, t44, t29)));
-        let t54 = fma(-t53, t51, t50 * t45);
-        let t55 = fma(t36, -0.000253729233449132, t33 * -0.0029901429709046825);
-        let t56 = fma(t39, 0.12702385080665668, t55);
-        let t57 = fma(t39, 0.000253729233449132, fma(t36, -0.1257788668457493, t33 * -0.0004398005649018212));
-        let t58 = fma(t39, 0.0029901429709046825, fma(t36, -0.0004398005649018212, t33 * -0.13702315917076313));
-        let t59 = fma(-t39, t56, fma(t36, t57, fma(t33, t58, t27)));
-        let t60 = fma(-t50, t50, t49 * t53);
-        let inverse_determinant = 1.0 / fma(t45, t52, fma(t51, t54, t59 * t60));
-        let t61 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
-        let t62 = fma(reduced_force_z, 0.12702385080665668, t61);
-        let t63 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
-        let t64 = fma(reduced_force_z, 0.000253729233449132, t63);
-        let t65 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
-        let t66 = fma(reduced_force_z, 0.0029901429709046825, t65);
-        let t67 = fma(t41, t62, fma(-t38, t64, fma(t35, t66, reduced_moment_z)));
-        let t68 = t52 * inverse_determinant;
-        let t69 = fma(t40, t62, fma(t37, t64, fma(-t34, t66, reduced_moment_y)));
-        let t70 = t54 * inverse_determinant;
-        let t71 = fma(-t39, t62, fma(t36, t64, fma(t33, t66, reduced_moment_x)));
-        let angular_acceleration_x = fma(t67, t68, fma(t69, t70, t71 * (t60 * inverse_determinant)));
-        let t72 = fma(-t59, t50, t45 * t51) * inverse_determinant;
-        let angular_acceleration_y = fma(t69, fma(-t45, t45, t59 * t53) * inverse_determinant, t71 * t70);
-        let angular_acceleration_y = fma(t67, t72, angular_acceleration_y);
-        let angular_acceleration_z = fma(t67, fma(-t51, t51, t59 * t49) * inverse_determinant, fma(t69, t72, t71 * t68));
-        let acceleration_x = fma(-t48, angular_acceleration_y, fma(-t58, angular_acceleration_x, t66));
-        let acceleration_x = fma(-t44, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t47, angular_acceleration_y, fma(-t57, angular_acceleration_x, t64));
-        let acceleration_y = fma(-t43, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t46, angular_acceleration_y, fma(-t56, angular_acceleration_x, t62));
-        let acceleration_z = fma(-t42, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t42 = fma(t33, 0.003449144794252644, t36);
+        let t43 = fma(-0.001997492847507307, t42, fma(-0.02353312234715631, t33, t39));
+        let t44 = fma(-0.003449144794252644, t35, t38);
+        let t45 = fma(-0.001997492847507307, t44, fma(t35, 0.02353312234715631, t41));
+        let t46 = t45 * -0.12702385080665668;
+        let t47 = 0.12577836002342027 * t44;
+        let t48 = t35 * -0.1369512748345644;
+        let t49 = fma(-t43, t46, fma(t42, t47, fma(t33, t48, t31)));
+        let t50 = fma(t34, -0.003449144794252644, t37);
+        let t51 = fma(0.001997492847507307, t50, fma(t34, -0.02353312234715631, t40));
+        let t52 = t51 * -0.12702385080665668;
+        let t53 = t50 * -0.12577836002342027;
+        let t54 = t34 * 0.1369512748345644;
+        let t55 = fma(-t43, t52, fma(t42, t53, fma(t33, t54, t32)));
+        let t56 = t55 * 0.06684939823107293;
+        let t57 = 0.12702385080665668 * t43;
+        let t58 = t42 * -0.12577836002342027;
+        let t59 = t33 * -0.1369512748345644;
+        let t60 = fma(-t43, t57, fma(t42, t58, fma(t33, t59, t27)));
+        let t61 = t60 * 0.06684939823107293;
+        let t62 = fma(-t49, t56, fma(t51, t46, fma(t50, t47, fma(-t34, t48, t30))) * t61);
+        let t63 = fma(-t55, t56, fma(t51, t52, fma(t50, t53, fma(-t34, t54, t28))) * t61);
+        let t64 = fma(-t49, t49 * 0.06684939823107293, fma(t45, t46, fma(-t44, t47, fma(t35, t48, t29))) * t61);
+        let t65 = 1.0 / t63;
+        let t66 = fma(0.003449144794252644, reduced_force_x, reduced_force_y);
+        let t67 = fma(0.001997492847507307, t66, fma(0.02353312234715631, reduced_force_x, reduced_force_z));
+        let t68 = 0.12702385080665668 * t67;
+        let t69 = 0.12577836002342027 * t66;
+        let t70 = reduced_force_x * 0.1369512748345644;
+        let t71 = fma(-t43, t68, fma(t42, t69, fma(t33, t70, reduced_moment_x)));
+        let t72 = 1.0 / t60;
+        let t73 = t55 * t72;
+        let t74 = fma(t51, t68, fma(t50, t69, fma(-t34, t70, reduced_moment_y)));
+        let t75 = fma(-t71, t73, t74);
+        let t76 = t49 * t72;
+        let t77 = fma(t45, t68, fma(-t44, t69, fma(t35, t70, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t62, t62, t63 * t64) * (t61 * t63) * fma(-(t62 * t65), t75, fma(-t71, t76, t77));
+        let angular_acceleration_y = fma(-(t62 * t65), angular_acceleration_z, t61 * t65 * t75);
+        let angular_acceleration_x = fma(-t73, angular_acceleration_y, fma(-t76, angular_acceleration_z, t71 * t72));
+        let acceleration_z = fma(-t52, angular_acceleration_y, fma(-t57, angular_acceleration_x, t68));
+        let acceleration_z = fma(-t46, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t53, angular_acceleration_y, fma(-t58, angular_acceleration_x, t69));
+        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t47, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t54, angular_acceleration_y, fma(-t59, angular_acceleration_x, t70));
+        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t48, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.003449144794252644, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t73 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
-        let t74 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t73));
-        let t75 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t74));
-        let t76 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
-        let t77 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t76));
-        let t78 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t77));
+        let t78 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
+        let t79 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t78));
+        let t80 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t79));
+        let t81 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
+        let t82 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t81));
+        let t83 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t82));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t75, t78,
+            angular_acceleration_y, angular_acceleration_z, t80, t83,
         ]
     }
 
@@ -494,7 +498,7 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 348 operations: 222 multiply-add, 83 multiply, 42 add, 1 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 2],
@@ -638,57 +642,61 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t48 = fma(t47, -0.12702385080665668, fma(t44, 0.000253729233449132, t41 * -0.0029901429709046825));
-        let t49 = fma(t47, -0.000253729233449132, fma(t44, 0.1257788668457493, t41 * -0.0004398005649018212));
-        let t50 = fma(t47, -0.0029901429709046825, fma(t44, 0.0004398005649018212, t41 * -0.13702315917076313));
-        let t51 = fma(-t45, t48, fma(t42, t49, fma(t39, t50, t37)));
-        let t52 = fma(t46, -0.12702385080665668, fma(t43, -0.000253729233449132, t40 * 0.0029901429709046825));
-        let t53 = fma(t46, -0.000253729233449132, fma(t43, -0.1257788668457493, t40 * 0.0004398005649018212));
-        let t54 = fma(t46, -0.0029901429709046825, fma(t43, -0.0004398005649018212, t40 * 0.13702315917076313));
-        let t55 = fma(t46, t52, fma(t43, t53, fma(-t40, t54, t34)));
-        let t56 = fma(t46, t48, fma(t43, t49, fma(-t40, t50, t36)));
-        let t57 = fma(-t45, t52, fma(t42, t53, fma(t39, t54, t38)));
-        let t58 = fma(-t55, t51, t56 * t57);
-        let t59 = fma(t47, t48, fma(-t44, t49, fma(t41, t50, t35)));
-        let t60 = fma(-t59, t57, t56 * t51);
-        let t61 = fma(t42, -0.000253729233449132, t39 * -0.0029901429709046825);
-        let t62 = fma(t45, 0.12702385080665668, t61);
-        let t63 = fma(t45, 0.000253729233449132, fma(t42, -0.1257788668457493, t39 * -0.0004398005649018212));
-        let t64 = fma(t45, 0.0029901429709046825, fma(t42, -0.0004398005649018212, t39 * -0.13702315917076313));
-        let t65 = fma(-t45, t62, fma(t42, t63, fma(t39, t64, t33)));
-        let t66 = fma(-t56, t56, t55 * t59);
-        let inverse_determinant = 1.0 / fma(t51, t58, fma(t57, t60, t65 * t66));
-        let t67 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
-        let t68 = fma(reduced_force_z, 0.12702385080665668, t67);
-        let t69 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
-        let t70 = fma(reduced_force_z, 0.000253729233449132, t69);
-        let t71 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
-        let t72 = fma(reduced_force_z, 0.0029901429709046825, t71);
-        let t73 = fma(t47, t68, fma(-t44, t70, fma(t41, t72, reduced_moment_z)));
-        let t74 = t58 * inverse_determinant;
-        let t75 = fma(t46, t68, fma(t43, t70, fma(-t40, t72, reduced_moment_y)));
-        let t76 = t60 * inverse_determinant;
-        let t77 = fma(-t45, t68, fma(t42, t70, fma(t39, t72, reduced_moment_x)));
-        let angular_acceleration_x = fma(t73, t74, fma(t75, t76, t77 * (t66 * inverse_determinant)));
-        let t78 = fma(-t65, t56, t51 * t57) * inverse_determinant;
-        let angular_acceleration_y = fma(t75, fma(-t51, t51, t65 * t59) * inverse_determinant, t77 * t76);
-        let angular_acceleration_y = fma(t73, t78, angular_acceleration_y);
-        let angular_acceleration_z = fma(t73, fma(-t57, t57, t65 * t55) * inverse_determinant, fma(t75, t78, t77 * t74));
-        let acceleration_x = fma(-t54, angular_acceleration_y, fma(-t64, angular_acceleration_x, t72));
-        let acceleration_x = fma(-t50, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t53, angular_acceleration_y, fma(-t63, angular_acceleration_x, t70));
-        let acceleration_y = fma(-t49, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t52, angular_acceleration_y, fma(-t62, angular_acceleration_x, t68));
-        let acceleration_z = fma(-t48, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t48 = fma(t39, 0.003449144794252644, t42);
+        let t49 = fma(-0.001997492847507307, t48, fma(-0.02353312234715631, t39, t45));
+        let t50 = fma(-0.003449144794252644, t41, t44);
+        let t51 = fma(-0.001997492847507307, t50, fma(t41, 0.02353312234715631, t47));
+        let t52 = t51 * -0.12702385080665668;
+        let t53 = 0.12577836002342027 * t50;
+        let t54 = t41 * -0.1369512748345644;
+        let t55 = fma(-t49, t52, fma(t48, t53, fma(t39, t54, t37)));
+        let t56 = fma(t40, -0.003449144794252644, t43);
+        let t57 = fma(0.001997492847507307, t56, fma(t40, -0.02353312234715631, t46));
+        let t58 = t57 * -0.12702385080665668;
+        let t59 = t56 * -0.12577836002342027;
+        let t60 = t40 * 0.1369512748345644;
+        let t61 = fma(-t49, t58, fma(t48, t59, fma(t39, t60, t38)));
+        let t62 = t61 * 0.06684939823107293;
+        let t63 = 0.12702385080665668 * t49;
+        let t64 = t48 * -0.12577836002342027;
+        let t65 = t39 * -0.1369512748345644;
+        let t66 = fma(-t49, t63, fma(t48, t64, fma(t39, t65, t33)));
+        let t67 = t66 * 0.06684939823107293;
+        let t68 = fma(-t55, t62, fma(t57, t52, fma(t56, t53, fma(-t40, t54, t36))) * t67);
+        let t69 = fma(-t61, t62, fma(t57, t58, fma(t56, t59, fma(-t40, t60, t34))) * t67);
+        let t70 = fma(-t55, t55 * 0.06684939823107293, fma(t51, t52, fma(-t50, t53, fma(t41, t54, t35))) * t67);
+        let t71 = 1.0 / t69;
+        let t72 = fma(0.003449144794252644, reduced_force_x, reduced_force_y);
+        let t73 = fma(0.001997492847507307, t72, fma(0.02353312234715631, reduced_force_x, reduced_force_z));
+        let t74 = 0.12702385080665668 * t73;
+        let t75 = 0.12577836002342027 * t72;
+        let t76 = reduced_force_x * 0.1369512748345644;
+        let t77 = fma(-t49, t74, fma(t48, t75, fma(t39, t76, reduced_moment_x)));
+        let t78 = 1.0 / t66;
+        let t79 = t61 * t78;
+        let t80 = fma(t57, t74, fma(t56, t75, fma(-t40, t76, reduced_moment_y)));
+        let t81 = fma(-t77, t79, t80);
+        let t82 = t55 * t78;
+        let t83 = fma(t51, t74, fma(-t50, t75, fma(t41, t76, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t68, t68, t69 * t70) * (t67 * t69) * fma(-(t68 * t71), t81, fma(-t77, t82, t83));
+        let angular_acceleration_y = fma(-(t68 * t71), angular_acceleration_z, t67 * t71 * t81);
+        let angular_acceleration_x = fma(-t79, angular_acceleration_y, fma(-t82, angular_acceleration_z, t77 * t78));
+        let acceleration_z = fma(-t58, angular_acceleration_y, fma(-t63, angular_acceleration_x, t74));
+        let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t59, angular_acceleration_y, fma(-t64, angular_acceleration_x, t75));
+        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t53, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t60, angular_acceleration_y, fma(-t65, angular_acceleration_x, t76));
+        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t54, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.003449144794252644, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t79 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
-        let t80 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t79));
-        let t81 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t80));
-        let t82 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
-        let t83 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t82));
-        let t84 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t83));
+        let t84 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
+        let t85 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t84));
+        let t86 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t85));
+        let t87 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
+        let t88 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t87));
+        let t89 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t88));
 
         (
             [
@@ -728,7 +736,7 @@ const _: () = {
             [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t81, t84,
+                angular_acceleration_y, angular_acceleration_z, t86, t89,
             ],
         )
     }
@@ -1157,7 +1165,7 @@ const _: () = {
     ///
     /// Shape: 8; columns of 8: 2, 2, 3, 8. Units: those of w, per unit of the variable. Frame: body.
     /// Source: ∂w/∂x = -M⁻¹ ∂R/∂x (implicit function theorem), ∂w/∂force = M⁻¹.
-    /// Cost: 1344 operations: 912 multiply-add, 259 multiply, 172 add, 1 divide.
+    /// Cost: 1405 operations: 954 multiply-add, 276 multiply, 172 add, 3 divide.
     #[inline]
     fn acceleration_jacobian(
         q: &[f64; 2],
@@ -1342,610 +1350,643 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t58));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t62));
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t89 = fma(t88, -0.12702385080665668, fma(t85, 0.000253729233449132, t82 * -0.0029901429709046825));
-        let t90 = fma(t88, -0.000253729233449132, fma(t85, 0.1257788668457493, t82 * -0.0004398005649018212));
-        let t91 = fma(t88, -0.0029901429709046825, fma(t85, 0.0004398005649018212, t82 * -0.13702315917076313));
-        let t92 = fma(-t86, t89, fma(t83, t90, fma(t80, t91, t78)));
-        let t93 = fma(t87, -0.12702385080665668, fma(t84, -0.000253729233449132, t81 * 0.0029901429709046825));
-        let t94 = fma(t87, -0.000253729233449132, fma(t84, -0.1257788668457493, t81 * 0.0004398005649018212));
-        let t95 = fma(t87, -0.0029901429709046825, fma(t84, -0.0004398005649018212, t81 * 0.13702315917076313));
-        let t96 = fma(t87, t93, fma(t84, t94, fma(-t81, t95, t75)));
-        let t97 = fma(t87, t89, fma(t84, t90, fma(-t81, t91, t77)));
-        let t98 = fma(-t86, t93, fma(t83, t94, fma(t80, t95, t79)));
-        let t99 = fma(-t96, t92, t97 * t98);
-        let t100 = fma(t88, t89, fma(-t85, t90, fma(t82, t91, t76)));
-        let t101 = fma(-t100, t98, t97 * t92);
-        let t102 = fma(t83, -0.000253729233449132, t80 * -0.0029901429709046825);
-        let t103 = fma(t86, 0.12702385080665668, t102);
-        let t104 = fma(t86, 0.000253729233449132, fma(t83, -0.1257788668457493, t80 * -0.0004398005649018212));
-        let t105 = fma(t86, 0.0029901429709046825, fma(t83, -0.0004398005649018212, t80 * -0.13702315917076313));
-        let t106 = fma(-t86, t103, fma(t83, t104, fma(t80, t105, t74)));
-        let t107 = fma(-t97, t97, t96 * t100);
-        let inverse_determinant = 1.0 / fma(t92, t99, fma(t98, t101, t106 * t107));
-        let angular_acceleration_x = t107 * inverse_determinant;
-        let angular_acceleration_y = fma(-t92, t92, t106 * t100) * inverse_determinant;
-        let angular_acceleration_z = fma(-t98, t98, t106 * t96) * inverse_determinant;
-        let angular_acceleration_z_2 = fma(-t106, t97, t92 * t98) * inverse_determinant;
-        let angular_acceleration_z_3 = t99 * inverse_determinant;
-        let angular_acceleration_y_2 = t101 * inverse_determinant;
-        let t108 = fma(reduced_force_y, 0.000253729233449132, reduced_force_x * 0.0029901429709046825);
-        let t109 = fma(reduced_force_z, 0.12702385080665668, t108);
-        let t110 = fma(reduced_force_y, 0.1257788668457493, reduced_force_x * 0.0004398005649018212);
-        let t111 = fma(reduced_force_z, 0.000253729233449132, t110);
-        let t112 = fma(reduced_force_y, 0.0004398005649018212, reduced_force_x * 0.13702315917076313);
-        let t113 = fma(reduced_force_z, 0.0029901429709046825, t112);
-        let t114 = fma(t88, t109, fma(-t85, t111, fma(t82, t113, reduced_moment_z)));
-        let t115 = fma(t87, t109, fma(t84, t111, fma(-t81, t113, reduced_moment_y)));
-        let t116 = fma(-t86, t109, fma(t83, t111, fma(t80, t113, reduced_moment_x)));
-        let angular_acceleration_x_2 = fma(t115, angular_acceleration_y_2, t116 * angular_acceleration_x);
-        let angular_acceleration_x_2 = fma(t114, angular_acceleration_z_3, angular_acceleration_x_2);
-        let angular_acceleration_y_3 = fma(t115, angular_acceleration_y, t116 * angular_acceleration_y_2);
-        let angular_acceleration_y_3 = fma(t114, angular_acceleration_z_2, angular_acceleration_y_3);
-        let angular_acceleration_z_4 = fma(t115, angular_acceleration_z_2, t116 * angular_acceleration_z_3);
-        let angular_acceleration_z_4 = fma(t114, angular_acceleration_z, angular_acceleration_z_4);
-        let acceleration_x = fma(-t95, angular_acceleration_y_3, fma(-t105, angular_acceleration_x_2, t113));
-        let acceleration_x = fma(-t91, angular_acceleration_z_4, acceleration_x);
-        let acceleration_y = fma(-t94, angular_acceleration_y_3, fma(-t104, angular_acceleration_x_2, t111));
-        let acceleration_y = fma(-t90, angular_acceleration_z_4, acceleration_y);
-        let acceleration_z = fma(-t93, angular_acceleration_y_3, fma(-t103, angular_acceleration_x_2, t109));
-        let acceleration_z = fma(-t89, angular_acceleration_z_4, acceleration_z);
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t89 = fma(t80, 0.003449144794252644, t83);
+        let t90 = fma(-0.001997492847507307, t89, fma(-0.02353312234715631, t80, t86));
+        let t91 = fma(-0.003449144794252644, t82, t85);
+        let t92 = fma(-0.001997492847507307, t91, fma(t82, 0.02353312234715631, t88));
+        let t93 = t92 * -0.12702385080665668;
+        let t94 = 0.12577836002342027 * t91;
+        let t95 = t82 * -0.1369512748345644;
+        let t96 = fma(-t90, t93, fma(t89, t94, fma(t80, t95, t78)));
+        let t97 = fma(t81, -0.003449144794252644, t84);
+        let t98 = fma(0.001997492847507307, t97, fma(t81, -0.02353312234715631, t87));
+        let t99 = t98 * -0.12702385080665668;
+        let t100 = t97 * -0.12577836002342027;
+        let t101 = t81 * 0.1369512748345644;
+        let t102 = fma(-t90, t99, fma(t89, t100, fma(t80, t101, t79)));
+        let t103 = t102 * 0.06684939823107293;
+        let t104 = 0.12702385080665668 * t90;
+        let t105 = t89 * -0.12577836002342027;
+        let t106 = t80 * -0.1369512748345644;
+        let t107 = fma(-t90, t104, fma(t89, t105, fma(t80, t106, t74)));
+        let t108 = t107 * 0.06684939823107293;
+        let t109 = fma(-t96, t103, fma(t98, t93, fma(t97, t94, fma(-t81, t95, t77))) * t108);
+        let t110 = fma(-t102, t103, fma(t98, t99, fma(t97, t100, fma(-t81, t101, t75))) * t108);
+        let t111 = fma(-t96, t96 * 0.06684939823107293, fma(t92, t93, fma(-t91, t94, fma(t82, t95, t76))) * t108);
+        let angular_acceleration_z = 1.0 / fma(-t109, t109, t110 * t111) * (t108 * t110);
+        let t112 = 1.0 / t110;
+        let t113 = t109 * t112;
+        let t114 = fma(0.003449144794252644, reduced_force_x, reduced_force_y);
+        let t115 = fma(0.001997492847507307, t114, fma(0.02353312234715631, reduced_force_x, reduced_force_z));
+        let t116 = 0.12702385080665668 * t115;
+        let t117 = 0.12577836002342027 * t114;
+        let t118 = reduced_force_x * 0.1369512748345644;
+        let t119 = fma(-t90, t116, fma(t89, t117, fma(t80, t118, reduced_moment_x)));
+        let t120 = 1.0 / t107;
+        let t121 = t102 * t120;
+        let t122 = fma(t98, t116, fma(t97, t117, fma(-t81, t118, reduced_moment_y)));
+        let t123 = fma(-t119, t121, t122);
+        let t124 = t96 * t120;
+        let t125 = fma(t92, t116, fma(-t91, t117, fma(t82, t118, reduced_moment_z)));
+        let angular_acceleration_z_2 = angular_acceleration_z * fma(-t113, t123, fma(-t119, t124, t125));
+        let t126 = t108 * t112;
+        let angular_acceleration_y = fma(-t113, angular_acceleration_z_2, t126 * t123);
+        let angular_acceleration_x = fma(-t121, angular_acceleration_y, fma(-t124, angular_acceleration_z_2, t119 * t120));
+        let acceleration_z = fma(-t99, angular_acceleration_y, fma(-t104, angular_acceleration_x, t116));
+        let acceleration_z = fma(-t93, angular_acceleration_z_2, acceleration_z);
+        let acceleration_y = fma(-t100, angular_acceleration_y, fma(-t105, angular_acceleration_x, t117));
+        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t94, angular_acceleration_z_2, acceleration_y));
+        let acceleration_x = fma(-t101, angular_acceleration_y, fma(-t106, angular_acceleration_x, t118));
+        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t95, angular_acceleration_z_2, acceleration_x));
+        let acceleration_x = fma(0.003449144794252644, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t117 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
-        let t118 = fma(-coupling_x0, angular_acceleration_x_2, fma(0.14106512955956807, acceleration_z, t117));
-        let t119 = fma(-coupling_z0, angular_acceleration_z_4, fma(-coupling_y0, angular_acceleration_y_3, t118));
-        let t120 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
-        let t121 = fma(-coupling_x1, angular_acceleration_x_2, fma(-0.23954110582463117, acceleration_z, t120));
-        let t122 = fma(-coupling_z1, angular_acceleration_z_4, fma(-coupling_y1, angular_acceleration_y_3, t121));
+        let t127 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
+        let t128 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t127));
+        let t129 = fma(-coupling_z0, angular_acceleration_z_2, fma(-coupling_y0, angular_acceleration_y, t128));
+        let t130 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
+        let t131 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t130));
+        let t132 = fma(-coupling_z1, angular_acceleration_z_2, fma(-coupling_y1, angular_acceleration_y, t131));
 
         // Derivatives of the residual (277 operations: 109 multiply-add, 79 multiply, 89 add)
-        let t123 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
-        let t124 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
-        let t125 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
-        let t126 = -0.5 * (t10 + (t9 + t32));
-        let t127 = q0 + t22;
-        let t128 = t2 + (t1 + t24);
-        let t129 = t127 - t128;
-        let t130 = -0.5 * (t6 + (t5 + t28));
-        let t131 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t126, fma(omega_y, t129, omega_x * t130)));
-        let t132 = t4 + (t3 + t26);
-        let t133 = t127 - t132;
-        let t134 = -0.5 * (t8 + (t7 + t30));
-        let t135 = fma(0.11303908576704362, q_dot1, fma(omega_z, t133, fma(omega_y, t126, omega_x * t134)));
-        let t136 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
-        let t137 = fma(0.08566760407982914, q_dot1, 0.12985232981165795 * q_dot0);
-        let t138 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
-        let t139 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
-        let t140 = fma(-omega_z, t136, fma(-omega_y, t137, t53 * (t138 + t139)));
-        let t141 = t128 + t132;
-        let t142 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t134, fma(omega_y, t130, omega_x * t141)));
-        let t143 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
-        let t144 = fma(-omega_z, t143, fma(-omega_x, t137, t57 * (q_dot0 - t138)));
-        let t145 = fma(-omega_y, t142, omega_x * t131) + fma(t61, q_dot0 - t139, -fma(omega_y, t143, omega_x * t136));
-        let t146 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t71, -t70));
-        let t147 = fma(-0.33402903106409804, t64, fma(0.12985232981165795, t65, t146));
-        let t148 = 41.0018510905971 + fma(-0.4323361376218965, t63, t147);
-        let t149 = fma(0.08566760407982914, t65, fma(-0.04431370462910027, t68, 0.00639232183790743 * t71));
-        let t150 = fma(-0.14347674245138292, t63, fma(0.06527925764351436, t64, t149));
-        let t151 = 0.9351597374893034 + t150;
-        let t152 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
-        let t153 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
-        let t154 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
-        let t155 = -0.5 * (t19 + (t20 + t31));
-        let t156 = q1 + t21;
-        let t157 = t11 + (t12 + t23);
-        let t158 = t156 - t157;
-        let t159 = -0.5 * (t15 + (t16 + t27));
-        let t160 = fma(0.19242619512316964, q_dot0, fma(omega_z, t155, fma(omega_y, t158, omega_x * t159)));
-        let t161 = t13 + (t14 + t25);
-        let t162 = t156 - t161;
-        let t163 = -0.5 * (t17 + (t18 + t29));
-        let t164 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t162, fma(omega_y, t155, omega_x * t163)));
-        let t165 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
-        let t166 = fma(0.031030589707457527, q_dot1, 0.08566760407982914 * q_dot0);
-        let t167 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
-        let t168 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
-        let t169 = fma(-omega_z, t165, fma(-omega_y, t166, t53 * (t167 + t168)));
-        let t170 = t157 + t161;
-        let t171 = fma(0.01153987579044198, q_dot0, fma(omega_z, t163, fma(omega_y, t159, omega_x * t170)));
-        let t172 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
-        let t173 = fma(-omega_z, t172, fma(-omega_x, t166, t57 * (q_dot1 - t167)));
-        let t174 = fma(-omega_y, t171, omega_x * t160) + fma(t61, q_dot1 - t168, -fma(omega_y, t172, omega_x * t165));
-        let t175 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t71, -t70));
-        let t176 = fma(0.41141170797873267, t64, fma(0.031030589707457527, t65, t175));
-        let t177 = 70.93539824726788 + fma(0.13572545476093628, t63, t176);
-        let t178 = moment_yy0 + moment_zz0;
-        let t179 = omega_y * moment_xy0;
-        let t180 = omega_z * moment_xz0;
-        let t181 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t53, t178, -t179) - t180);
-        let t182 = omega_x * moment_xy0;
-        let t183 = omega_z * moment_yz0;
-        let t184 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t57, moment_trace0 - moment_yy0, -t182) - t183);
-        let t185 = omega_x * moment_xz0;
-        let t186 = omega_y * moment_yz0;
-        let t187 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t61, moment_trace0 - moment_zz0, -(t185 + t186));
-        let t188 = fma(0.11303908576704362, t61, fma(-0.19242619512316964, t57, -0.01153987579044198 * t53));
-        let t189 = moment_yy1 + moment_zz1;
-        let t190 = omega_y * moment_xy1;
-        let t191 = omega_z * moment_xz1;
-        let t192 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t53, t189, -t190) - t191);
-        let t193 = omega_x * moment_xy1;
-        let t194 = omega_z * moment_yz1;
-        let t195 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t57, moment_trace1 - moment_yy1, -t193) - t194);
-        let t196 = omega_x * moment_xz1;
-        let t197 = omega_y * moment_yz1;
-        let t198 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t61, moment_trace1 - moment_zz1, -(t196 + t197));
-        let t199 = fma(-0.11303908576704362, t61, fma(0.19242619512316964, t57, 0.01153987579044198 * t53));
-        let t200 = omega_y * first_moment_y;
-        let t201 = omega_z * first_moment_z;
-        let t202 = omega_y * inertia_xz;
-        let t203 = omega_z * inertia_xy;
-        let t204 = omega_x + omega_x;
-        let t205 = fma(2.0, whirl_x0, t180 + fma(-t178, t204, t179));
-        let t206 = fma(2.0, whirl_x1, t191 + fma(-t189, t204, t190));
-        let t207 = omega_x * first_moment_x;
-        let t208 = omega_x * inertia_yz;
-        let t209 = omega_y + omega_y;
-        let t210 = fma(2.0, whirl_y0, t183 + fma(t209, moment_yy0 - moment_trace0, t182));
-        let t211 = fma(2.0, whirl_y1, t194 + fma(t209, moment_yy1 - moment_trace1, t193));
-        let t212 = omega_z + omega_z;
-        let t213 = fma(2.0, whirl_z0, t186 + fma(t212, moment_zz0 - moment_trace0, t185));
-        let t214 = fma(2.0, whirl_z1, t197 + fma(t212, moment_zz1 - moment_trace1, t196));
+        let t133 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
+        let t134 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
+        let t135 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
+        let t136 = -0.5 * (t10 + (t9 + t32));
+        let t137 = q0 + t22;
+        let t138 = t2 + (t1 + t24);
+        let t139 = t137 - t138;
+        let t140 = -0.5 * (t6 + (t5 + t28));
+        let t141 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t136, fma(omega_y, t139, omega_x * t140)));
+        let t142 = t4 + (t3 + t26);
+        let t143 = t137 - t142;
+        let t144 = -0.5 * (t8 + (t7 + t30));
+        let t145 = fma(0.11303908576704362, q_dot1, fma(omega_z, t143, fma(omega_y, t136, omega_x * t144)));
+        let t146 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
+        let t147 = fma(0.08566760407982914, q_dot1, 0.12985232981165795 * q_dot0);
+        let t148 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
+        let t149 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
+        let t150 = fma(-omega_z, t146, fma(-omega_y, t147, t53 * (t148 + t149)));
+        let t151 = t138 + t142;
+        let t152 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t144, fma(omega_y, t140, omega_x * t151)));
+        let t153 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
+        let t154 = fma(-omega_z, t153, fma(-omega_x, t147, t57 * (q_dot0 - t148)));
+        let t155 = fma(-omega_y, t152, omega_x * t141) + fma(t61, q_dot0 - t149, -fma(omega_y, t153, omega_x * t146));
+        let t156 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t71, -t70));
+        let t157 = fma(-0.33402903106409804, t64, fma(0.12985232981165795, t65, t156));
+        let t158 = 41.0018510905971 + fma(-0.4323361376218965, t63, t157);
+        let t159 = fma(0.08566760407982914, t65, fma(-0.04431370462910027, t68, 0.00639232183790743 * t71));
+        let t160 = fma(-0.14347674245138292, t63, fma(0.06527925764351436, t64, t159));
+        let t161 = 0.9351597374893034 + t160;
+        let t162 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
+        let t163 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
+        let t164 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
+        let t165 = -0.5 * (t19 + (t20 + t31));
+        let t166 = q1 + t21;
+        let t167 = t11 + (t12 + t23);
+        let t168 = t166 - t167;
+        let t169 = -0.5 * (t15 + (t16 + t27));
+        let t170 = fma(0.19242619512316964, q_dot0, fma(omega_z, t165, fma(omega_y, t168, omega_x * t169)));
+        let t171 = t13 + (t14 + t25);
+        let t172 = t166 - t171;
+        let t173 = -0.5 * (t17 + (t18 + t29));
+        let t174 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t172, fma(omega_y, t165, omega_x * t173)));
+        let t175 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
+        let t176 = fma(0.031030589707457527, q_dot1, 0.08566760407982914 * q_dot0);
+        let t177 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
+        let t178 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
+        let t179 = fma(-omega_z, t175, fma(-omega_y, t176, t53 * (t177 + t178)));
+        let t180 = t167 + t171;
+        let t181 = fma(0.01153987579044198, q_dot0, fma(omega_z, t173, fma(omega_y, t169, omega_x * t180)));
+        let t182 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
+        let t183 = fma(-omega_z, t182, fma(-omega_x, t176, t57 * (q_dot1 - t177)));
+        let t184 = fma(-omega_y, t181, omega_x * t170) + fma(t61, q_dot1 - t178, -fma(omega_y, t182, omega_x * t175));
+        let t185 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t71, -t70));
+        let t186 = fma(0.41141170797873267, t64, fma(0.031030589707457527, t65, t185));
+        let t187 = 70.93539824726788 + fma(0.13572545476093628, t63, t186);
+        let t188 = moment_yy0 + moment_zz0;
+        let t189 = omega_y * moment_xy0;
+        let t190 = omega_z * moment_xz0;
+        let t191 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t53, t188, -t189) - t190);
+        let t192 = omega_x * moment_xy0;
+        let t193 = omega_z * moment_yz0;
+        let t194 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t57, moment_trace0 - moment_yy0, -t192) - t193);
+        let t195 = omega_x * moment_xz0;
+        let t196 = omega_y * moment_yz0;
+        let t197 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t61, moment_trace0 - moment_zz0, -(t195 + t196));
+        let t198 = fma(0.11303908576704362, t61, fma(-0.19242619512316964, t57, -0.01153987579044198 * t53));
+        let t199 = moment_yy1 + moment_zz1;
+        let t200 = omega_y * moment_xy1;
+        let t201 = omega_z * moment_xz1;
+        let t202 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t53, t199, -t200) - t201);
+        let t203 = omega_x * moment_xy1;
+        let t204 = omega_z * moment_yz1;
+        let t205 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t57, moment_trace1 - moment_yy1, -t203) - t204);
+        let t206 = omega_x * moment_xz1;
+        let t207 = omega_y * moment_yz1;
+        let t208 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t61, moment_trace1 - moment_zz1, -(t206 + t207));
+        let t209 = fma(-0.11303908576704362, t61, fma(0.19242619512316964, t57, 0.01153987579044198 * t53));
+        let t210 = omega_y * first_moment_y;
+        let t211 = omega_z * first_moment_z;
+        let t212 = omega_y * inertia_xz;
+        let t213 = omega_z * inertia_xy;
+        let t214 = omega_x + omega_x;
+        let t215 = fma(2.0, whirl_x0, t190 + fma(-t188, t214, t189));
+        let t216 = fma(2.0, whirl_x1, t201 + fma(-t199, t214, t200));
+        let t217 = omega_x * first_moment_x;
+        let t218 = omega_x * inertia_yz;
+        let t219 = omega_y + omega_y;
+        let t220 = fma(2.0, whirl_y0, t193 + fma(t219, moment_yy0 - moment_trace0, t192));
+        let t221 = fma(2.0, whirl_y1, t204 + fma(t219, moment_yy1 - moment_trace1, t203));
+        let t222 = omega_z + omega_z;
+        let t223 = fma(2.0, whirl_z0, t196 + fma(t222, moment_zz0 - moment_trace0, t195));
+        let t224 = fma(2.0, whirl_z1, t207 + fma(t222, moment_zz1 - moment_trace1, t206));
 
-        // Derivatives of the accelerations (693 operations: 607 multiply-add, 71 multiply, 15 add)
-        let t215 = fma(-0.19242619512316964, angular_acceleration_y_3, fma(-0.01153987579044198, angular_acceleration_x_2, t151));
-        let t216 = fma(0.11303908576704362, angular_acceleration_z_4, t215);
-        let t217 = fma(-0.14106512955956807, angular_acceleration_y_3, fma(-omega_z, t123, omega_y * t124));
-        let reduced_force_x_2 = fma(-0.7613599420768367, t148, fma(-0.013296641892764124, angular_acceleration_z_4, -t217));
-        let reduced_force_x_2 = fma(0.26899095817779994, t216, reduced_force_x_2);
-        let t218 = fma(-0.013296641892764124, angular_acceleration_x_2, fma(-omega_y, t125, omega_x * t123));
-        let reduced_force_z_2 = fma(-0.14106512955956807, t148, fma(-0.7613599420768367, angular_acceleration_y_3, -t218));
-        let reduced_force_z_2 = fma(0.23954110582463117, t216, reduced_force_z_2);
-        let t219 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t131, omega_y * t135) + t140);
-        let t220 = fma(angular_acceleration_x_2, t141, fma(-0.013296641892764124, acceleration_z, t219));
-        let t221 = fma(angular_acceleration_z_4, t134, fma(angular_acceleration_y_3, t130, t220));
-        let reduced_moment_x_2 = fma(coupling_x0, t148, -fma(-0.01153987579044198, t122, t221));
-        let reduced_moment_x_2 = fma(coupling_x1, t216, reduced_moment_x_2);
-        let t222 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t135, omega_z * t142) + t144);
-        let t223 = fma(angular_acceleration_x_2, t130, fma(0.7613599420768367, acceleration_z, t222));
-        let t224 = fma(angular_acceleration_z_4, t126, fma(angular_acceleration_y_3, t129, t223));
-        let reduced_moment_y_2 = fma(coupling_y0, t148, -fma(-0.19242619512316964, t122, t224));
-        let reduced_moment_y_2 = fma(coupling_y1, t216, reduced_moment_y_2);
-        let t225 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t145));
-        let t226 = fma(angular_acceleration_y_3, t126, fma(angular_acceleration_x_2, t134, t225));
-        let t227 = fma(0.11303908576704362, t122, fma(angular_acceleration_z_4, t133, t226));
-        let reduced_moment_z_2 = fma(coupling_z1, t216, fma(coupling_z0, t148, -t227));
-        let t228 = fma(0.14106512955956807, angular_acceleration_x_2, fma(-omega_x, t124, omega_z * t125));
-        let t229 = fma(t148, 0.013296641892764124, fma(-0.7613599420768367, angular_acceleration_z_4, t228));
-        let t230 = fma(t216, -0.055993206221893924, t229);
-        let t231 = fma(-0.000253729233449132, t230, 0.0029901429709046825 * reduced_force_x_2);
-        let t232 = fma(0.12702385080665668, reduced_force_z_2, t231);
-        let t233 = fma(-0.1257788668457493, t230, 0.0004398005649018212 * reduced_force_x_2);
-        let t234 = fma(0.000253729233449132, reduced_force_z_2, t233);
-        let t235 = fma(-0.0004398005649018212, t230, 0.13702315917076313 * reduced_force_x_2);
-        let t236 = fma(0.0029901429709046825, reduced_force_z_2, t235);
-        let t237 = fma(t88, t232, fma(-t85, t234, fma(t82, t236, reduced_moment_z_2)));
-        let t238 = fma(t87, t232, fma(t84, t234, fma(-t81, t236, reduced_moment_y_2)));
-        let t239 = fma(-t86, t232, fma(t83, t234, fma(t80, t236, reduced_moment_x_2)));
-        let angular_acceleration_x_3 = fma(angular_acceleration_y_2, t238, angular_acceleration_x * t239);
-        let angular_acceleration_x_3 = fma(angular_acceleration_z_3, t237, angular_acceleration_x_3);
-        let angular_acceleration_y_4 = fma(angular_acceleration_y, t238, angular_acceleration_y_2 * t239);
-        let angular_acceleration_y_4 = fma(angular_acceleration_z_2, t237, angular_acceleration_y_4);
-        let angular_acceleration_z_5 = fma(angular_acceleration_z_2, t238, angular_acceleration_z_3 * t239);
-        let angular_acceleration_z_5 = fma(angular_acceleration_z, t237, angular_acceleration_z_5);
-        let acceleration_x_2 = fma(-t95, angular_acceleration_y_4, fma(-t105, angular_acceleration_x_3, t236));
-        let acceleration_x_2 = fma(-t91, angular_acceleration_z_5, acceleration_x_2);
-        let acceleration_y_2 = fma(-t94, angular_acceleration_y_4, fma(-t104, angular_acceleration_x_3, t234));
-        let acceleration_y_2 = fma(-t90, angular_acceleration_z_5, acceleration_y_2);
-        let acceleration_z_2 = fma(-t93, angular_acceleration_y_4, fma(-t103, angular_acceleration_x_3, t232));
-        let acceleration_z_2 = fma(-t89, angular_acceleration_z_5, acceleration_z_2);
-        let t240 = fma(-0.013296641892764124, acceleration_y_2, fma(-0.7613599420768367, acceleration_x_2, t148));
-        let t241 = fma(coupling_x0, angular_acceleration_x_3, fma(-0.14106512955956807, acceleration_z_2, t240));
-        let t242 = fma(coupling_z0, angular_acceleration_z_5, fma(coupling_y0, angular_acceleration_y_4, t241));
-        let t243 = fma(0.055993206221893924, acceleration_y_2, fma(0.26899095817779994, acceleration_x_2, t216));
-        let t244 = fma(coupling_x1, angular_acceleration_x_3, fma(0.23954110582463117, acceleration_z_2, t243));
-        let t245 = fma(coupling_z1, angular_acceleration_z_5, fma(coupling_y1, angular_acceleration_y_4, t244));
-        let t246 = fma(0.19242619512316964, angular_acceleration_y_3, fma(0.01153987579044198, angular_acceleration_x_2, t151));
-        let t247 = fma(-0.11303908576704362, angular_acceleration_z_4, t246);
-        let t248 = fma(0.23954110582463117, angular_acceleration_y_3, fma(-omega_z, t152, omega_y * t153));
-        let reduced_force_x_3 = fma(-0.7613599420768367, t247, fma(0.055993206221893924, angular_acceleration_z_4, -t248));
-        let reduced_force_x_3 = fma(0.26899095817779994, t177, reduced_force_x_3);
-        let t249 = fma(0.055993206221893924, angular_acceleration_x_2, fma(-omega_y, t154, omega_x * t152));
-        let reduced_force_z_3 = fma(-0.14106512955956807, t247, fma(0.26899095817779994, angular_acceleration_y_3, -t249));
-        let reduced_force_z_3 = fma(0.23954110582463117, t177, reduced_force_z_3);
-        let t250 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t160, omega_y * t164) + t169);
-        let t251 = fma(angular_acceleration_x_2, t170, fma(0.055993206221893924, acceleration_z, t250));
-        let t252 = fma(angular_acceleration_z_4, t163, fma(angular_acceleration_y_3, t159, t251));
-        let reduced_moment_x_3 = fma(coupling_x0, t247, -fma(0.01153987579044198, t119, t252));
-        let reduced_moment_x_3 = fma(coupling_x1, t177, reduced_moment_x_3);
-        let t253 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t164, omega_z * t171) + t173);
-        let t254 = fma(angular_acceleration_x_2, t159, fma(-0.26899095817779994, acceleration_z, t253));
-        let t255 = fma(angular_acceleration_z_4, t155, fma(angular_acceleration_y_3, t158, t254));
-        let reduced_moment_y_3 = fma(coupling_y0, t247, -fma(0.19242619512316964, t119, t255));
-        let reduced_moment_y_3 = fma(coupling_y1, t177, reduced_moment_y_3);
-        let t256 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t174));
-        let t257 = fma(angular_acceleration_y_3, t155, fma(angular_acceleration_x_2, t163, t256));
-        let t258 = fma(-0.11303908576704362, t119, fma(angular_acceleration_z_4, t162, t257));
-        let reduced_moment_z_3 = fma(coupling_z1, t177, fma(coupling_z0, t247, -t258));
-        let t259 = fma(-0.23954110582463117, angular_acceleration_x_2, fma(-omega_x, t153, omega_z * t154));
-        let t260 = fma(0.013296641892764124, t247, fma(0.26899095817779994, angular_acceleration_z_4, t259));
-        let t261 = fma(t177, -0.055993206221893924, t260);
-        let t262 = fma(-0.000253729233449132, t261, 0.0029901429709046825 * reduced_force_x_3);
-        let t263 = fma(0.12702385080665668, reduced_force_z_3, t262);
-        let t264 = fma(-0.1257788668457493, t261, 0.0004398005649018212 * reduced_force_x_3);
-        let t265 = fma(0.000253729233449132, reduced_force_z_3, t264);
-        let t266 = fma(-0.0004398005649018212, t261, 0.13702315917076313 * reduced_force_x_3);
-        let t267 = fma(0.0029901429709046825, reduced_force_z_3, t266);
-        let t268 = fma(t88, t263, fma(-t85, t265, fma(t82, t267, reduced_moment_z_3)));
-        let t269 = fma(t87, t263, fma(t84, t265, fma(-t81, t267, reduced_moment_y_3)));
-        let t270 = fma(-t86, t263, fma(t83, t265, fma(t80, t267, reduced_moment_x_3)));
-        let angular_acceleration_x_4 = fma(angular_acceleration_y_2, t269, angular_acceleration_x * t270);
-        let angular_acceleration_x_4 = fma(angular_acceleration_z_3, t268, angular_acceleration_x_4);
-        let angular_acceleration_y_5 = fma(angular_acceleration_y, t269, angular_acceleration_y_2 * t270);
-        let angular_acceleration_y_5 = fma(angular_acceleration_z_2, t268, angular_acceleration_y_5);
-        let angular_acceleration_z_6 = fma(angular_acceleration_z_2, t269, angular_acceleration_z_3 * t270);
-        let angular_acceleration_z_6 = fma(angular_acceleration_z, t268, angular_acceleration_z_6);
-        let acceleration_x_3 = fma(-t95, angular_acceleration_y_5, fma(-t105, angular_acceleration_x_4, t267));
-        let acceleration_x_3 = fma(-t91, angular_acceleration_z_6, acceleration_x_3);
-        let acceleration_y_3 = fma(-t94, angular_acceleration_y_5, fma(-t104, angular_acceleration_x_4, t265));
-        let acceleration_y_3 = fma(-t90, angular_acceleration_z_6, acceleration_y_3);
-        let acceleration_z_3 = fma(-t93, angular_acceleration_y_5, fma(-t103, angular_acceleration_x_4, t263));
-        let acceleration_z_3 = fma(-t89, angular_acceleration_z_6, acceleration_z_3);
-        let t271 = fma(-0.013296641892764124, acceleration_y_3, fma(-0.7613599420768367, acceleration_x_3, t247));
-        let t272 = fma(coupling_x0, angular_acceleration_x_4, fma(-0.14106512955956807, acceleration_z_3, t271));
-        let t273 = fma(coupling_z0, angular_acceleration_z_6, fma(coupling_y0, angular_acceleration_y_5, t272));
-        let t274 = fma(0.055993206221893924, acceleration_y_3, fma(0.26899095817779994, acceleration_x_3, t177));
-        let t275 = fma(coupling_x1, angular_acceleration_x_4, fma(0.23954110582463117, acceleration_z_3, t274));
-        let t276 = fma(coupling_z1, angular_acceleration_z_6, fma(coupling_y1, angular_acceleration_y_5, t275));
+        // Derivatives of the accelerations (765 operations: 662 multiply-add, 88 multiply, 15 add)
+        let t225 = fma(-0.19242619512316964, angular_acceleration_y, fma(-0.01153987579044198, angular_acceleration_x, t161));
+        let t226 = fma(0.11303908576704362, angular_acceleration_z_2, t225);
+        let t227 = fma(-0.14106512955956807, angular_acceleration_y, fma(-omega_z, t133, omega_y * t134));
+        let reduced_force_x_2 = fma(-0.7613599420768367, t158, fma(-0.013296641892764124, angular_acceleration_z_2, -t227));
+        let reduced_force_x_2 = fma(0.26899095817779994, t226, reduced_force_x_2);
+        let t228 = fma(-0.013296641892764124, angular_acceleration_x, fma(-omega_y, t135, omega_x * t133));
+        let reduced_force_z_2 = fma(-0.14106512955956807, t158, fma(-0.7613599420768367, angular_acceleration_y, -t228));
+        let reduced_force_z_2 = fma(0.23954110582463117, t226, reduced_force_z_2);
+        let t229 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t141, omega_y * t145) + t150);
+        let t230 = fma(angular_acceleration_x, t151, fma(-0.013296641892764124, acceleration_z, t229));
+        let t231 = fma(angular_acceleration_z_2, t144, fma(angular_acceleration_y, t140, t230));
+        let reduced_moment_x_2 = fma(coupling_x0, t158, -fma(-0.01153987579044198, t132, t231));
+        let reduced_moment_x_2 = fma(coupling_x1, t226, reduced_moment_x_2);
+        let t232 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t145, omega_z * t152) + t154);
+        let t233 = fma(angular_acceleration_x, t140, fma(0.7613599420768367, acceleration_z, t232));
+        let t234 = fma(angular_acceleration_z_2, t136, fma(angular_acceleration_y, t139, t233));
+        let reduced_moment_y_2 = fma(coupling_y0, t158, -fma(-0.19242619512316964, t132, t234));
+        let reduced_moment_y_2 = fma(coupling_y1, t226, reduced_moment_y_2);
+        let t235 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t155));
+        let t236 = fma(angular_acceleration_y, t136, fma(angular_acceleration_x, t144, t235));
+        let t237 = fma(0.11303908576704362, t132, fma(angular_acceleration_z_2, t143, t236));
+        let reduced_moment_z_2 = fma(coupling_z1, t226, fma(coupling_z0, t158, -t237));
+        let t238 = fma(0.14106512955956807, angular_acceleration_x, fma(-omega_x, t134, omega_z * t135));
+        let t239 = fma(t158, 0.013296641892764124, fma(-0.7613599420768367, angular_acceleration_z_2, t238));
+        let t240 = fma(-0.003449144794252644, reduced_force_x_2, fma(t226, -0.055993206221893924, t239));
+        let t241 = fma(0.02353312234715631, reduced_force_x_2, reduced_force_z_2);
+        let t242 = 0.12702385080665668 * fma(-0.001997492847507307, t240, t241);
+        let t243 = -0.12577836002342027 * t240;
+        let t244 = 0.1369512748345644 * reduced_force_x_2;
+        let t245 = fma(-t90, t242, fma(t89, t243, fma(t80, t244, reduced_moment_x_2)));
+        let t246 = fma(t98, t242, fma(t97, t243, fma(-t81, t244, reduced_moment_y_2)));
+        let t247 = fma(-t121, t245, t246);
+        let t248 = fma(t92, t242, fma(-t91, t243, fma(t82, t244, reduced_moment_z_2)));
+        let angular_acceleration_z_3 = angular_acceleration_z * fma(-t113, t247, fma(-t124, t245, t248));
+        let angular_acceleration_y_2 = fma(-t113, angular_acceleration_z_3, t126 * t247);
+        let angular_acceleration_x_2 = fma(-t121, angular_acceleration_y_2, fma(-t124, angular_acceleration_z_3, t120 * t245));
+        let acceleration_z_2 = fma(-t99, angular_acceleration_y_2, fma(-t104, angular_acceleration_x_2, t242));
+        let acceleration_z_2 = fma(-t93, angular_acceleration_z_3, acceleration_z_2);
+        let acceleration_y_2 = fma(-t100, angular_acceleration_y_2, fma(-t105, angular_acceleration_x_2, t243));
+        let acceleration_y_2 = fma(0.001997492847507307, acceleration_z_2, fma(-t94, angular_acceleration_z_3, acceleration_y_2));
+        let acceleration_x_2 = fma(-t101, angular_acceleration_y_2, fma(-t106, angular_acceleration_x_2, t244));
+        let acceleration_x_2 = fma(0.02353312234715631, acceleration_z_2, fma(-t95, angular_acceleration_z_3, acceleration_x_2));
+        let acceleration_x_2 = fma(0.003449144794252644, acceleration_y_2, acceleration_x_2);
+        let t249 = fma(-0.013296641892764124, acceleration_y_2, fma(-0.7613599420768367, acceleration_x_2, t158));
+        let t250 = fma(coupling_x0, angular_acceleration_x_2, fma(-0.14106512955956807, acceleration_z_2, t249));
+        let t251 = fma(coupling_z0, angular_acceleration_z_3, fma(coupling_y0, angular_acceleration_y_2, t250));
+        let t252 = fma(0.055993206221893924, acceleration_y_2, fma(0.26899095817779994, acceleration_x_2, t226));
+        let t253 = fma(coupling_x1, angular_acceleration_x_2, fma(0.23954110582463117, acceleration_z_2, t252));
+        let t254 = fma(coupling_z1, angular_acceleration_z_3, fma(coupling_y1, angular_acceleration_y_2, t253));
+        let t255 = fma(0.19242619512316964, angular_acceleration_y, fma(0.01153987579044198, angular_acceleration_x, t161));
+        let t256 = fma(-0.11303908576704362, angular_acceleration_z_2, t255);
+        let t257 = fma(0.23954110582463117, angular_acceleration_y, fma(-omega_z, t162, omega_y * t163));
+        let reduced_force_x_3 = fma(-0.7613599420768367, t256, fma(0.055993206221893924, angular_acceleration_z_2, -t257));
+        let reduced_force_x_3 = fma(0.26899095817779994, t187, reduced_force_x_3);
+        let t258 = fma(0.055993206221893924, angular_acceleration_x, fma(-omega_y, t164, omega_x * t162));
+        let reduced_force_z_3 = fma(-0.14106512955956807, t256, fma(0.26899095817779994, angular_acceleration_y, -t258));
+        let reduced_force_z_3 = fma(0.23954110582463117, t187, reduced_force_z_3);
+        let t259 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t170, omega_y * t174) + t179);
+        let t260 = fma(angular_acceleration_x, t180, fma(0.055993206221893924, acceleration_z, t259));
+        let t261 = fma(angular_acceleration_z_2, t173, fma(angular_acceleration_y, t169, t260));
+        let reduced_moment_x_3 = fma(coupling_x0, t256, -fma(0.01153987579044198, t129, t261));
+        let reduced_moment_x_3 = fma(coupling_x1, t187, reduced_moment_x_3);
+        let t262 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t174, omega_z * t181) + t183);
+        let t263 = fma(angular_acceleration_x, t169, fma(-0.26899095817779994, acceleration_z, t262));
+        let t264 = fma(angular_acceleration_z_2, t165, fma(angular_acceleration_y, t168, t263));
+        let reduced_moment_y_3 = fma(coupling_y0, t256, -fma(0.19242619512316964, t129, t264));
+        let reduced_moment_y_3 = fma(coupling_y1, t187, reduced_moment_y_3);
+        let t265 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t184));
+        let t266 = fma(angular_acceleration_y, t165, fma(angular_acceleration_x, t173, t265));
+        let t267 = fma(-0.11303908576704362, t129, fma(angular_acceleration_z_2, t172, t266));
+        let reduced_moment_z_3 = fma(coupling_z1, t187, fma(coupling_z0, t256, -t267));
+        let t268 = fma(-0.23954110582463117, angular_acceleration_x, fma(-omega_x, t163, omega_z * t164));
+        let t269 = fma(0.013296641892764124, t256, fma(0.26899095817779994, angular_acceleration_z_2, t268));
+        let t270 = fma(-0.003449144794252644, reduced_force_x_3, fma(t187, -0.055993206221893924, t269));
+        let t271 = fma(0.02353312234715631, reduced_force_x_3, reduced_force_z_3);
+        let t272 = 0.12702385080665668 * fma(-0.001997492847507307, t270, t271);
+        let t273 = -0.12577836002342027 * t270;
+        let t274 = 0.1369512748345644 * reduced_force_x_3;
+        let t275 = fma(-t90, t272, fma(t89, t273, fma(t80, t274, reduced_moment_x_3)));
+        let t276 = fma(t98, t272, fma(t97, t273, fma(-t81, t274, reduced_moment_y_3)));
+        let t277 = fma(-t121, t275, t276);
+        let t278 = fma(t92, t272, fma(-t91, t273, fma(t82, t274, reduced_moment_z_3)));
+        let angular_acceleration_z_4 = angular_acceleration_z * fma(-t113, t277, fma(-t124, t275, t278));
+        let angular_acceleration_y_3 = fma(-t113, angular_acceleration_z_4, t126 * t277);
+        let angular_acceleration_x_3 = fma(-t121, angular_acceleration_y_3, fma(-t124, angular_acceleration_z_4, t120 * t275));
+        let acceleration_z_3 = fma(-t99, angular_acceleration_y_3, fma(-t104, angular_acceleration_x_3, t272));
+        let acceleration_z_3 = fma(-t93, angular_acceleration_z_4, acceleration_z_3);
+        let acceleration_y_3 = fma(-t100, angular_acceleration_y_3, fma(-t105, angular_acceleration_x_3, t273));
+        let acceleration_y_3 = fma(0.001997492847507307, acceleration_z_3, fma(-t94, angular_acceleration_z_4, acceleration_y_3));
+        let acceleration_x_3 = fma(-t101, angular_acceleration_y_3, fma(-t106, angular_acceleration_x_3, t274));
+        let acceleration_x_3 = fma(0.02353312234715631, acceleration_z_3, fma(-t95, angular_acceleration_z_4, acceleration_x_3));
+        let acceleration_x_3 = fma(0.003449144794252644, acceleration_y_3, acceleration_x_3);
+        let t279 = fma(-0.013296641892764124, acceleration_y_3, fma(-0.7613599420768367, acceleration_x_3, t256));
+        let t280 = fma(coupling_x0, angular_acceleration_x_3, fma(-0.14106512955956807, acceleration_z_3, t279));
+        let t281 = fma(coupling_z0, angular_acceleration_z_4, fma(coupling_y0, angular_acceleration_y_3, t280));
+        let t282 = fma(0.055993206221893924, acceleration_y_3, fma(0.26899095817779994, acceleration_x_3, t187));
+        let t283 = fma(coupling_x1, angular_acceleration_x_3, fma(0.23954110582463117, acceleration_z_3, t282));
+        let t284 = fma(coupling_z1, angular_acceleration_z_4, fma(coupling_y1, angular_acceleration_y_3, t283));
         let reduced_force_x_4 = fma(0.28213025911913614, omega_y, omega_z * -0.02659328378552825);
-        let reduced_force_x_4 = fma(0.26899095817779994, t188, reduced_force_x_4 - 0.3121716697138009);
+        let reduced_force_x_4 = fma(0.26899095817779994, t198, reduced_force_x_4 - 0.3121716697138009);
         let reduced_force_y_2 = fma(1.5227198841536733, omega_z, omega_x * -0.28213025911913614);
-        let reduced_force_y_2 = fma(0.055993206221893924, t188, reduced_force_y_2 - 0.005451869308921099);
+        let reduced_force_y_2 = fma(0.055993206221893924, t198, reduced_force_y_2 - 0.005451869308921099);
         let reduced_force_z_4 = fma(0.02659328378552825, omega_x, omega_y * -1.5227198841536733);
-        let reduced_force_z_4 = fma(0.23954110582463117, t188, reduced_force_z_4 - 0.057839314362771975);
-        let reduced_moment_x_4 = fma(coupling_x1, t188, -fma(coupling_x0, -0.410018510905971, t181));
-        let reduced_moment_y_4 = fma(coupling_y1, t188, -fma(coupling_y0, -0.410018510905971, t184));
-        let reduced_moment_z_4 = fma(coupling_z1, t188, -fma(coupling_z0, -0.410018510905971, t187));
-        let t277 = fma(0.000253729233449132, reduced_force_y_2, 0.0029901429709046825 * reduced_force_x_4);
-        let t278 = fma(0.12702385080665668, reduced_force_z_4, t277);
-        let t279 = fma(0.1257788668457493, reduced_force_y_2, 0.0004398005649018212 * reduced_force_x_4);
-        let t280 = fma(0.000253729233449132, reduced_force_z_4, t279);
-        let t281 = fma(0.0004398005649018212, reduced_force_y_2, 0.13702315917076313 * reduced_force_x_4);
-        let t282 = fma(0.0029901429709046825, reduced_force_z_4, t281);
-        let t283 = fma(t88, t278, fma(-t85, t280, fma(t82, t282, reduced_moment_z_4)));
-        let t284 = fma(t87, t278, fma(t84, t280, fma(-t81, t282, reduced_moment_y_4)));
-        let t285 = fma(-t86, t278, fma(t83, t280, fma(t80, t282, reduced_moment_x_4)));
-        let angular_acceleration_x_5 = fma(angular_acceleration_y_2, t284, angular_acceleration_x * t285);
-        let angular_acceleration_x_5 = fma(angular_acceleration_z_3, t283, angular_acceleration_x_5);
-        let angular_acceleration_y_6 = fma(angular_acceleration_y, t284, angular_acceleration_y_2 * t285);
-        let angular_acceleration_y_6 = fma(angular_acceleration_z_2, t283, angular_acceleration_y_6);
-        let angular_acceleration_z_7 = fma(angular_acceleration_z_2, t284, angular_acceleration_z_3 * t285);
-        let angular_acceleration_z_7 = fma(angular_acceleration_z, t283, angular_acceleration_z_7);
-        let acceleration_x_4 = fma(-t95, angular_acceleration_y_6, fma(-t105, angular_acceleration_x_5, t282));
-        let acceleration_x_4 = fma(-t91, angular_acceleration_z_7, acceleration_x_4);
-        let acceleration_y_4 = fma(-t94, angular_acceleration_y_6, fma(-t104, angular_acceleration_x_5, t280));
-        let acceleration_y_4 = fma(-t90, angular_acceleration_z_7, acceleration_y_4);
-        let acceleration_z_4 = fma(-t93, angular_acceleration_y_6, fma(-t103, angular_acceleration_x_5, t278));
-        let acceleration_z_4 = fma(-t89, angular_acceleration_z_7, acceleration_z_4);
-        let t286 = fma(0.7613599420768367, acceleration_x_4, -0.410018510905971);
-        let t287 = fma(0.14106512955956807, acceleration_z_4, fma(0.013296641892764124, acceleration_y_4, t286));
-        let t288 = fma(-coupling_y0, angular_acceleration_y_6, fma(-coupling_x0, angular_acceleration_x_5, t287));
-        let t289 = fma(0.055993206221893924, acceleration_y_4, fma(0.26899095817779994, acceleration_x_4, t188));
-        let t290 = fma(coupling_x1, angular_acceleration_x_5, fma(0.23954110582463117, acceleration_z_4, t289));
-        let t291 = fma(coupling_z1, angular_acceleration_z_7, fma(coupling_y1, angular_acceleration_y_6, t290));
+        let reduced_force_z_4 = fma(0.23954110582463117, t198, reduced_force_z_4 - 0.057839314362771975);
+        let reduced_moment_x_4 = fma(coupling_x1, t198, -fma(coupling_x0, -0.410018510905971, t191));
+        let reduced_moment_y_4 = fma(coupling_y1, t198, -fma(coupling_y0, -0.410018510905971, t194));
+        let reduced_moment_z_4 = fma(coupling_z1, t198, -fma(coupling_z0, -0.410018510905971, t197));
+        let t285 = fma(0.003449144794252644, reduced_force_x_4, reduced_force_y_2);
+        let t286 = fma(0.02353312234715631, reduced_force_x_4, reduced_force_z_4);
+        let t287 = 0.12702385080665668 * fma(0.001997492847507307, t285, t286);
+        let t288 = 0.12577836002342027 * t285;
+        let t289 = 0.1369512748345644 * reduced_force_x_4;
+        let t290 = fma(-t90, t287, fma(t89, t288, fma(t80, t289, reduced_moment_x_4)));
+        let t291 = fma(t98, t287, fma(t97, t288, fma(-t81, t289, reduced_moment_y_4)));
+        let t292 = fma(-t121, t290, t291);
+        let t293 = fma(t92, t287, fma(-t91, t288, fma(t82, t289, reduced_moment_z_4)));
+        let angular_acceleration_z_5 = angular_acceleration_z * fma(-t113, t292, fma(-t124, t290, t293));
+        let angular_acceleration_y_4 = fma(-t113, angular_acceleration_z_5, t126 * t292);
+        let angular_acceleration_x_4 = fma(-t121, angular_acceleration_y_4, fma(-t124, angular_acceleration_z_5, t120 * t290));
+        let acceleration_z_4 = fma(-t99, angular_acceleration_y_4, fma(-t104, angular_acceleration_x_4, t287));
+        let acceleration_z_4 = fma(-t93, angular_acceleration_z_5, acceleration_z_4);
+        let acceleration_y_4 = fma(-t100, angular_acceleration_y_4, fma(-t105, angular_acceleration_x_4, t288));
+        let acceleration_y_4 = fma(0.001997492847507307, acceleration_z_4, fma(-t94, angular_acceleration_z_5, acceleration_y_4));
+        let acceleration_x_4 = fma(-t101, angular_acceleration_y_4, fma(-t106, angular_acceleration_x_4, t289));
+        let acceleration_x_4 = fma(0.02353312234715631, acceleration_z_4, fma(-t95, angular_acceleration_z_5, acceleration_x_4));
+        let acceleration_x_4 = fma(0.003449144794252644, acceleration_y_4, acceleration_x_4);
+        let t294 = fma(0.7613599420768367, acceleration_x_4, -0.410018510905971);
+        let t295 = fma(0.14106512955956807, acceleration_z_4, fma(0.013296641892764124, acceleration_y_4, t294));
+        let t296 = fma(-coupling_y0, angular_acceleration_y_4, fma(-coupling_x0, angular_acceleration_x_4, t295));
+        let t297 = fma(0.055993206221893924, acceleration_y_4, fma(0.26899095817779994, acceleration_x_4, t198));
+        let t298 = fma(coupling_x1, angular_acceleration_x_4, fma(0.23954110582463117, acceleration_z_4, t297));
+        let t299 = fma(coupling_z1, angular_acceleration_z_5, fma(coupling_y1, angular_acceleration_y_4, t298));
         let reduced_force_x_5 = fma(-0.47908221164926235, omega_y, omega_z * 0.11198641244378785);
-        let reduced_force_x_5 = fma(-0.7613599420768367, t199, reduced_force_x_5) + 0.1908098074325642;
+        let reduced_force_x_5 = fma(-0.7613599420768367, t209, reduced_force_x_5) + 0.1908098074325642;
         let reduced_force_y_3 = fma(-0.5379819163555999, omega_z, omega_x * 0.47908221164926235);
-        let reduced_force_y_3 = fma(-0.013296641892764124, t199, reduced_force_y_3) + 0.03971900382491444;
+        let reduced_force_y_3 = fma(-0.013296641892764124, t209, reduced_force_y_3) + 0.03971900382491444;
         let reduced_force_z_5 = fma(-0.11198641244378785, omega_x, omega_y * 0.5379819163555999);
-        let reduced_force_z_5 = fma(-0.14106512955956807, t199, reduced_force_z_5) + 0.16991943738261153;
-        let reduced_moment_x_5 = fma(0.7093539824726789, coupling_x1, fma(coupling_x0, t199, -t192));
-        let reduced_moment_y_5 = fma(0.7093539824726789, coupling_y1, fma(coupling_y0, t199, -t195));
-        let reduced_moment_z_5 = fma(0.7093539824726789, coupling_z1, fma(coupling_z0, t199, -t198));
-        let t292 = fma(0.000253729233449132, reduced_force_y_3, 0.0029901429709046825 * reduced_force_x_5);
-        let t293 = fma(0.12702385080665668, reduced_force_z_5, t292);
-        let t294 = fma(0.1257788668457493, reduced_force_y_3, 0.0004398005649018212 * reduced_force_x_5);
-        let t295 = fma(0.000253729233449132, reduced_force_z_5, t294);
-        let t296 = fma(0.0004398005649018212, reduced_force_y_3, 0.13702315917076313 * reduced_force_x_5);
-        let t297 = fma(0.0029901429709046825, reduced_force_z_5, t296);
-        let t298 = fma(t88, t293, fma(-t85, t295, fma(t82, t297, reduced_moment_z_5)));
-        let t299 = fma(t87, t293, fma(t84, t295, fma(-t81, t297, reduced_moment_y_5)));
-        let t300 = fma(-t86, t293, fma(t83, t295, fma(t80, t297, reduced_moment_x_5)));
-        let angular_acceleration_x_6 = fma(angular_acceleration_y_2, t299, angular_acceleration_x * t300);
-        let angular_acceleration_x_6 = fma(angular_acceleration_z_3, t298, angular_acceleration_x_6);
-        let angular_acceleration_y_7 = fma(angular_acceleration_y, t299, angular_acceleration_y_2 * t300);
-        let angular_acceleration_y_7 = fma(angular_acceleration_z_2, t298, angular_acceleration_y_7);
-        let angular_acceleration_z_8 = fma(angular_acceleration_z_2, t299, angular_acceleration_z_3 * t300);
-        let angular_acceleration_z_8 = fma(angular_acceleration_z, t298, angular_acceleration_z_8);
-        let acceleration_x_5 = fma(-t95, angular_acceleration_y_7, fma(-t105, angular_acceleration_x_6, t297));
-        let acceleration_x_5 = fma(-t91, angular_acceleration_z_8, acceleration_x_5);
-        let acceleration_y_5 = fma(-t94, angular_acceleration_y_7, fma(-t104, angular_acceleration_x_6, t295));
-        let acceleration_y_5 = fma(-t90, angular_acceleration_z_8, acceleration_y_5);
-        let acceleration_z_5 = fma(-t93, angular_acceleration_y_7, fma(-t103, angular_acceleration_x_6, t293));
-        let acceleration_z_5 = fma(-t89, angular_acceleration_z_8, acceleration_z_5);
-        let t301 = fma(-0.013296641892764124, acceleration_y_5, fma(-0.7613599420768367, acceleration_x_5, t199));
-        let t302 = fma(coupling_x0, angular_acceleration_x_6, fma(-0.14106512955956807, acceleration_z_5, t301));
-        let t303 = fma(coupling_z0, angular_acceleration_z_8, fma(coupling_y0, angular_acceleration_y_7, t302));
-        let t304 = fma(-0.26899095817779994, acceleration_x_5, -0.7093539824726789);
-        let t305 = fma(-0.23954110582463117, acceleration_z_5, fma(-0.055993206221893924, acceleration_y_5, t304));
-        let t306 = fma(-coupling_y1, angular_acceleration_y_7, fma(-coupling_x1, angular_acceleration_x_6, t305));
-        let reduced_force_y_4 = fma(0.055993206221893924, t206, fma(-0.013296641892764124, t205, t38 + t40));
-        let reduced_force_z_6 = fma(0.23954110582463117, t206, fma(-0.14106512955956807, t205, t35 - t36));
-        let reduced_moment_x_6 = fma(coupling_x1, t206, fma(coupling_x0, t205, -fma(2.0, t52, t202 - t203)));
+        let reduced_force_z_5 = fma(-0.14106512955956807, t209, reduced_force_z_5) + 0.16991943738261153;
+        let reduced_moment_x_5 = fma(0.7093539824726789, coupling_x1, fma(coupling_x0, t209, -t202));
+        let reduced_moment_y_5 = fma(0.7093539824726789, coupling_y1, fma(coupling_y0, t209, -t205));
+        let reduced_moment_z_5 = fma(0.7093539824726789, coupling_z1, fma(coupling_z0, t209, -t208));
+        let t300 = fma(0.003449144794252644, reduced_force_x_5, reduced_force_y_3);
+        let t301 = fma(0.02353312234715631, reduced_force_x_5, reduced_force_z_5);
+        let t302 = 0.12702385080665668 * fma(0.001997492847507307, t300, t301);
+        let t303 = 0.12577836002342027 * t300;
+        let t304 = 0.1369512748345644 * reduced_force_x_5;
+        let t305 = fma(-t90, t302, fma(t89, t303, fma(t80, t304, reduced_moment_x_5)));
+        let t306 = fma(t98, t302, fma(t97, t303, fma(-t81, t304, reduced_moment_y_5)));
+        let t307 = fma(-t121, t305, t306);
+        let t308 = fma(t92, t302, fma(-t91, t303, fma(t82, t304, reduced_moment_z_5)));
+        let angular_acceleration_z_6 = angular_acceleration_z * fma(-t113, t307, fma(-t124, t305, t308));
+        let angular_acceleration_y_5 = fma(-t113, angular_acceleration_z_6, t126 * t307);
+        let angular_acceleration_x_5 = fma(-t121, angular_acceleration_y_5, fma(-t124, angular_acceleration_z_6, t120 * t305));
+        let acceleration_z_5 = fma(-t99, angular_acceleration_y_5, fma(-t104, angular_acceleration_x_5, t302));
+        let acceleration_z_5 = fma(-t93, angular_acceleration_z_6, acceleration_z_5);
+        let acceleration_y_5 = fma(-t100, angular_acceleration_y_5, fma(-t105, angular_acceleration_x_5, t303));
+        let acceleration_y_5 = fma(0.001997492847507307, acceleration_z_5, fma(-t94, angular_acceleration_z_6, acceleration_y_5));
+        let acceleration_x_5 = fma(-t101, angular_acceleration_y_5, fma(-t106, angular_acceleration_x_5, t304));
+        let acceleration_x_5 = fma(0.02353312234715631, acceleration_z_5, fma(-t95, angular_acceleration_z_6, acceleration_x_5));
+        let acceleration_x_5 = fma(0.003449144794252644, acceleration_y_5, acceleration_x_5);
+        let t309 = fma(-0.013296641892764124, acceleration_y_5, fma(-0.7613599420768367, acceleration_x_5, t209));
+        let t310 = fma(coupling_x0, angular_acceleration_x_5, fma(-0.14106512955956807, acceleration_z_5, t309));
+        let t311 = fma(coupling_z0, angular_acceleration_z_6, fma(coupling_y0, angular_acceleration_y_5, t310));
+        let t312 = fma(-0.26899095817779994, acceleration_x_5, -0.7093539824726789);
+        let t313 = fma(-0.23954110582463117, acceleration_z_5, fma(-0.055993206221893924, acceleration_y_5, t312));
+        let t314 = fma(-coupling_y1, angular_acceleration_y_5, fma(-coupling_x1, angular_acceleration_x_5, t313));
+        let reduced_force_y_4 = fma(0.055993206221893924, t216, fma(-0.013296641892764124, t215, t38 + t40));
+        let reduced_force_z_6 = fma(0.23954110582463117, t216, fma(-0.14106512955956807, t215, t35 - t36));
+        let reduced_moment_x_6 = fma(coupling_x1, t216, fma(coupling_x0, t215, -fma(2.0, t52, t212 - t213)));
         let reduced_moment_y_6 = rate_xy - fma(omega_z, inertia_xx, -(t49 + angular_momentum_z));
-        let reduced_moment_y_6 = fma(coupling_y1, t206, fma(coupling_y0, t205, reduced_moment_y_6));
+        let reduced_moment_y_6 = fma(coupling_y1, t216, fma(coupling_y0, t215, reduced_moment_y_6));
         let reduced_moment_z_6 = rate_xz - fma(-omega_y, inertia_xx, t47 + angular_momentum_y);
-        let reduced_moment_z_6 = fma(coupling_z1, t206, fma(coupling_z0, t205, reduced_moment_z_6));
-        let t307 = fma(t206, -0.26899095817779994, fma(t205, 0.7613599420768367, t200 + t201));
-        let t308 = fma(0.000253729233449132, reduced_force_y_4, -0.0029901429709046825 * t307);
-        let t309 = fma(0.12702385080665668, reduced_force_z_6, t308);
-        let t310 = fma(0.1257788668457493, reduced_force_y_4, -0.0004398005649018212 * t307);
-        let t311 = fma(0.000253729233449132, reduced_force_z_6, t310);
-        let t312 = fma(0.0004398005649018212, reduced_force_y_4, -0.13702315917076313 * t307);
-        let t313 = fma(0.0029901429709046825, reduced_force_z_6, t312);
-        let t314 = fma(t88, t309, fma(-t85, t311, fma(t82, t313, reduced_moment_z_6)));
-        let t315 = fma(t87, t309, fma(t84, t311, fma(-t81, t313, reduced_moment_y_6)));
-        let t316 = fma(-t86, t309, fma(t83, t311, fma(t80, t313, reduced_moment_x_6)));
-        let angular_acceleration_x_7 = fma(angular_acceleration_y_2, t315, angular_acceleration_x * t316);
-        let angular_acceleration_x_7 = fma(angular_acceleration_z_3, t314, angular_acceleration_x_7);
-        let angular_acceleration_y_8 = fma(angular_acceleration_y, t315, angular_acceleration_y_2 * t316);
-        let angular_acceleration_y_8 = fma(angular_acceleration_z_2, t314, angular_acceleration_y_8);
-        let angular_acceleration_z_9 = fma(angular_acceleration_z_2, t315, angular_acceleration_z_3 * t316);
-        let angular_acceleration_z_9 = fma(angular_acceleration_z, t314, angular_acceleration_z_9);
-        let acceleration_x_6 = fma(-t95, angular_acceleration_y_8, fma(-t105, angular_acceleration_x_7, t313));
-        let acceleration_x_6 = fma(-t91, angular_acceleration_z_9, acceleration_x_6);
-        let acceleration_y_6 = fma(-t94, angular_acceleration_y_8, fma(-t104, angular_acceleration_x_7, t311));
-        let acceleration_y_6 = fma(-t90, angular_acceleration_z_9, acceleration_y_6);
-        let acceleration_z_6 = fma(-t93, angular_acceleration_y_8, fma(-t103, angular_acceleration_x_7, t309));
-        let acceleration_z_6 = fma(-t89, angular_acceleration_z_9, acceleration_z_6);
-        let t317 = fma(-0.013296641892764124, acceleration_y_6, fma(-0.7613599420768367, acceleration_x_6, t205));
-        let t318 = fma(coupling_x0, angular_acceleration_x_7, fma(-0.14106512955956807, acceleration_z_6, t317));
-        let t319 = fma(coupling_z0, angular_acceleration_z_9, fma(coupling_y0, angular_acceleration_y_8, t318));
-        let t320 = fma(0.055993206221893924, acceleration_y_6, fma(0.26899095817779994, acceleration_x_6, t206));
-        let t321 = fma(coupling_x1, angular_acceleration_x_7, fma(0.23954110582463117, acceleration_z_6, t320));
-        let t322 = fma(coupling_z1, angular_acceleration_z_9, fma(coupling_y1, angular_acceleration_y_8, t321));
-        let reduced_force_x_6 = fma(0.26899095817779994, t211, fma(-0.7613599420768367, t210, t39 - t40));
-        let reduced_force_z_7 = fma(0.23954110582463117, t211, fma(-0.14106512955956807, t210, t42 + t44));
+        let reduced_moment_z_6 = fma(coupling_z1, t216, fma(coupling_z0, t215, reduced_moment_z_6));
+        let t315 = fma(t216, -0.26899095817779994, fma(t215, 0.7613599420768367, t210 + t211));
+        let t316 = fma(-0.003449144794252644, t315, reduced_force_y_4);
+        let t317 = fma(0.001997492847507307, t316, fma(-0.02353312234715631, t315, reduced_force_z_6));
+        let t318 = 0.12702385080665668 * t317;
+        let t319 = 0.12577836002342027 * t316;
+        let t320 = -0.1369512748345644 * t315;
+        let t321 = fma(-t90, t318, fma(t89, t319, fma(t80, t320, reduced_moment_x_6)));
+        let t322 = fma(t98, t318, fma(t97, t319, fma(-t81, t320, reduced_moment_y_6)));
+        let t323 = fma(-t121, t321, t322);
+        let t324 = fma(t92, t318, fma(-t91, t319, fma(t82, t320, reduced_moment_z_6)));
+        let angular_acceleration_z_7 = angular_acceleration_z * fma(-t113, t323, fma(-t124, t321, t324));
+        let angular_acceleration_y_6 = fma(-t113, angular_acceleration_z_7, t126 * t323);
+        let angular_acceleration_x_6 = fma(-t121, angular_acceleration_y_6, fma(-t124, angular_acceleration_z_7, t120 * t321));
+        let acceleration_z_6 = fma(-t99, angular_acceleration_y_6, fma(-t104, angular_acceleration_x_6, t318));
+        let acceleration_z_6 = fma(-t93, angular_acceleration_z_7, acceleration_z_6);
+        let acceleration_y_6 = fma(-t100, angular_acceleration_y_6, fma(-t105, angular_acceleration_x_6, t319));
+        let acceleration_y_6 = fma(0.001997492847507307, acceleration_z_6, fma(-t94, angular_acceleration_z_7, acceleration_y_6));
+        let acceleration_x_6 = fma(-t101, angular_acceleration_y_6, fma(-t106, angular_acceleration_x_6, t320));
+        let acceleration_x_6 = fma(0.02353312234715631, acceleration_z_6, fma(-t95, angular_acceleration_z_7, acceleration_x_6));
+        let acceleration_x_6 = fma(0.003449144794252644, acceleration_y_6, acceleration_x_6);
+        let t325 = fma(-0.013296641892764124, acceleration_y_6, fma(-0.7613599420768367, acceleration_x_6, t215));
+        let t326 = fma(coupling_x0, angular_acceleration_x_6, fma(-0.14106512955956807, acceleration_z_6, t325));
+        let t327 = fma(coupling_z0, angular_acceleration_z_7, fma(coupling_y0, angular_acceleration_y_6, t326));
+        let t328 = fma(0.055993206221893924, acceleration_y_6, fma(0.26899095817779994, acceleration_x_6, t216));
+        let t329 = fma(coupling_x1, angular_acceleration_x_6, fma(0.23954110582463117, acceleration_z_6, t328));
+        let t330 = fma(coupling_z1, angular_acceleration_z_7, fma(coupling_y1, angular_acceleration_y_6, t329));
+        let reduced_force_x_6 = fma(0.26899095817779994, t221, fma(-0.7613599420768367, t220, t39 - t40));
+        let reduced_force_z_7 = fma(0.23954110582463117, t221, fma(-0.14106512955956807, t220, t42 + t44));
         let reduced_moment_x_7 = rate_xy - fma(-omega_z, inertia_yy, t50 + angular_momentum_z);
-        let reduced_moment_x_7 = fma(coupling_x1, t211, fma(coupling_x0, t210, reduced_moment_x_7));
-        let reduced_moment_y_7 = fma(coupling_y1, t211, fma(coupling_y0, t210, -fma(2.0, t56, t203 - t208)));
+        let reduced_moment_x_7 = fma(coupling_x1, t221, fma(coupling_x0, t220, reduced_moment_x_7));
+        let reduced_moment_y_7 = fma(coupling_y1, t221, fma(coupling_y0, t220, -fma(2.0, t56, t213 - t218)));
         let reduced_moment_z_7 = rate_yz - fma(omega_x, inertia_yy, -(t45 + angular_momentum_x));
-        let reduced_moment_z_7 = fma(coupling_z1, t211, fma(coupling_z0, t210, reduced_moment_z_7));
-        let t323 = fma(t211, -0.055993206221893924, fma(t210, 0.013296641892764124, t201 + t207));
-        let t324 = fma(-0.000253729233449132, t323, 0.0029901429709046825 * reduced_force_x_6);
-        let t325 = fma(0.12702385080665668, reduced_force_z_7, t324);
-        let t326 = fma(-0.1257788668457493, t323, 0.0004398005649018212 * reduced_force_x_6);
-        let t327 = fma(0.000253729233449132, reduced_force_z_7, t326);
-        let t328 = fma(-0.0004398005649018212, t323, 0.13702315917076313 * reduced_force_x_6);
-        let t329 = fma(0.0029901429709046825, reduced_force_z_7, t328);
-        let t330 = fma(t88, t325, fma(-t85, t327, fma(t82, t329, reduced_moment_z_7)));
-        let t331 = fma(t87, t325, fma(t84, t327, fma(-t81, t329, reduced_moment_y_7)));
-        let t332 = fma(-t86, t325, fma(t83, t327, fma(t80, t329, reduced_moment_x_7)));
-        let angular_acceleration_x_8 = fma(angular_acceleration_y_2, t331, angular_acceleration_x * t332);
-        let angular_acceleration_x_8 = fma(angular_acceleration_z_3, t330, angular_acceleration_x_8);
-        let angular_acceleration_y_9 = fma(angular_acceleration_y, t331, angular_acceleration_y_2 * t332);
-        let angular_acceleration_y_9 = fma(angular_acceleration_z_2, t330, angular_acceleration_y_9);
-        let angular_acceleration_z_10 = fma(angular_acceleration_z_2, t331, angular_acceleration_z_3 * t332);
-        let angular_acceleration_z_10 = fma(angular_acceleration_z, t330, angular_acceleration_z_10);
-        let acceleration_x_7 = fma(-t95, angular_acceleration_y_9, fma(-t105, angular_acceleration_x_8, t329));
-        let acceleration_x_7 = fma(-t91, angular_acceleration_z_10, acceleration_x_7);
-        let acceleration_y_7 = fma(-t94, angular_acceleration_y_9, fma(-t104, angular_acceleration_x_8, t327));
-        let acceleration_y_7 = fma(-t90, angular_acceleration_z_10, acceleration_y_7);
-        let acceleration_z_7 = fma(-t93, angular_acceleration_y_9, fma(-t103, angular_acceleration_x_8, t325));
-        let acceleration_z_7 = fma(-t89, angular_acceleration_z_10, acceleration_z_7);
-        let t333 = fma(-0.013296641892764124, acceleration_y_7, fma(-0.7613599420768367, acceleration_x_7, t210));
-        let t334 = fma(coupling_x0, angular_acceleration_x_8, fma(-0.14106512955956807, acceleration_z_7, t333));
-        let t335 = fma(coupling_z0, angular_acceleration_z_10, fma(coupling_y0, angular_acceleration_y_9, t334));
-        let t336 = fma(0.055993206221893924, acceleration_y_7, fma(0.26899095817779994, acceleration_x_7, t211));
-        let t337 = fma(coupling_x1, angular_acceleration_x_8, fma(0.23954110582463117, acceleration_z_7, t336));
-        let t338 = fma(coupling_z1, angular_acceleration_z_10, fma(coupling_y1, angular_acceleration_y_9, t337));
-        let reduced_force_x_7 = fma(0.26899095817779994, t214, fma(-0.7613599420768367, t213, t34 + t36));
-        let reduced_force_y_5 = fma(0.055993206221893924, t214, fma(-0.013296641892764124, t213, t43 - t44));
+        let reduced_moment_z_7 = fma(coupling_z1, t221, fma(coupling_z0, t220, reduced_moment_z_7));
+        let t331 = fma(t221, -0.055993206221893924, fma(t220, 0.013296641892764124, t211 + t217));
+        let t332 = fma(-0.003449144794252644, reduced_force_x_6, t331);
+        let t333 = fma(0.02353312234715631, reduced_force_x_6, reduced_force_z_7);
+        let t334 = 0.12702385080665668 * fma(-0.001997492847507307, t332, t333);
+        let t335 = -0.12577836002342027 * t332;
+        let t336 = 0.1369512748345644 * reduced_force_x_6;
+        let t337 = fma(-t90, t334, fma(t89, t335, fma(t80, t336, reduced_moment_x_7)));
+        let t338 = fma(t98, t334, fma(t97, t335, fma(-t81, t336, reduced_moment_y_7)));
+        let t339 = fma(-t121, t337, t338);
+        let t340 = fma(t92, t334, fma(-t91, t335, fma(t82, t336, reduced_moment_z_7)));
+        let angular_acceleration_z_8 = angular_acceleration_z * fma(-t113, t339, fma(-t124, t337, t340));
+        let angular_acceleration_y_7 = fma(-t113, angular_acceleration_z_8, t126 * t339);
+        let angular_acceleration_x_7 = fma(-t121, angular_acceleration_y_7, fma(-t124, angular_acceleration_z_8, t120 * t337));
+        let acceleration_z_7 = fma(-t99, angular_acceleration_y_7, fma(-t104, angular_acceleration_x_7, t334));
+        let acceleration_z_7 = fma(-t93, angular_acceleration_z_8, acceleration_z_7);
+        let acceleration_y_7 = fma(-t100, angular_acceleration_y_7, fma(-t105, angular_acceleration_x_7, t335));
+        let acceleration_y_7 = fma(0.001997492847507307, acceleration_z_7, fma(-t94, angular_acceleration_z_8, acceleration_y_7));
+        let acceleration_x_7 = fma(-t101, angular_acceleration_y_7, fma(-t106, angular_acceleration_x_7, t336));
+        let acceleration_x_7 = fma(0.02353312234715631, acceleration_z_7, fma(-t95, angular_acceleration_z_8, acceleration_x_7));
+        let acceleration_x_7 = fma(0.003449144794252644, acceleration_y_7, acceleration_x_7);
+        let t341 = fma(-0.013296641892764124, acceleration_y_7, fma(-0.7613599420768367, acceleration_x_7, t220));
+        let t342 = fma(coupling_x0, angular_acceleration_x_7, fma(-0.14106512955956807, acceleration_z_7, t341));
+        let t343 = fma(coupling_z0, angular_acceleration_z_8, fma(coupling_y0, angular_acceleration_y_7, t342));
+        let t344 = fma(0.055993206221893924, acceleration_y_7, fma(0.26899095817779994, acceleration_x_7, t221));
+        let t345 = fma(coupling_x1, angular_acceleration_x_7, fma(0.23954110582463117, acceleration_z_7, t344));
+        let t346 = fma(coupling_z1, angular_acceleration_z_8, fma(coupling_y1, angular_acceleration_y_7, t345));
+        let reduced_force_x_7 = fma(0.26899095817779994, t224, fma(-0.7613599420768367, t223, t34 + t36));
+        let reduced_force_y_5 = fma(0.055993206221893924, t224, fma(-0.013296641892764124, t223, t43 - t44));
         let reduced_moment_x_8 = rate_xz - fma(omega_y, inertia_zz, -(t48 + angular_momentum_y));
-        let reduced_moment_x_8 = fma(coupling_x1, t214, fma(coupling_x0, t213, reduced_moment_x_8));
+        let reduced_moment_x_8 = fma(coupling_x1, t224, fma(coupling_x0, t223, reduced_moment_x_8));
         let reduced_moment_y_8 = rate_yz - fma(-omega_x, inertia_zz, t46 + angular_momentum_x);
-        let reduced_moment_y_8 = fma(coupling_y1, t214, fma(coupling_y0, t213, reduced_moment_y_8));
-        let reduced_moment_z_8 = fma(coupling_z1, t214, fma(coupling_z0, t213, -fma(2.0, t60, t208 - t202)));
-        let t339 = fma(t214, -0.23954110582463117, fma(t213, 0.14106512955956807, t200 + t207));
-        let t340 = fma(0.000253729233449132, reduced_force_y_5, 0.0029901429709046825 * reduced_force_x_7);
-        let t341 = fma(-0.12702385080665668, t339, t340);
-        let t342 = fma(0.1257788668457493, reduced_force_y_5, 0.0004398005649018212 * reduced_force_x_7);
-        let t343 = fma(-0.000253729233449132, t339, t342);
-        let t344 = fma(0.0004398005649018212, reduced_force_y_5, 0.13702315917076313 * reduced_force_x_7);
-        let t345 = fma(-0.0029901429709046825, t339, t344);
-        let t346 = fma(t88, t341, fma(-t85, t343, fma(t82, t345, reduced_moment_z_8)));
-        let t347 = fma(t87, t341, fma(t84, t343, fma(-t81, t345, reduced_moment_y_8)));
-        let t348 = fma(-t86, t341, fma(t83, t343, fma(t80, t345, reduced_moment_x_8)));
-        let angular_acceleration_x_9 = fma(angular_acceleration_y_2, t347, angular_acceleration_x * t348);
-        let angular_acceleration_x_9 = fma(angular_acceleration_z_3, t346, angular_acceleration_x_9);
-        let angular_acceleration_y_10 = fma(angular_acceleration_y, t347, angular_acceleration_y_2 * t348);
-        let angular_acceleration_y_10 = fma(angular_acceleration_z_2, t346, angular_acceleration_y_10);
-        let angular_acceleration_z_11 = fma(angular_acceleration_z_2, t347, angular_acceleration_z_3 * t348);
-        let angular_acceleration_z_11 = fma(angular_acceleration_z, t346, angular_acceleration_z_11);
-        let acceleration_x_8 = fma(-t95, angular_acceleration_y_10, fma(-t105, angular_acceleration_x_9, t345));
-        let acceleration_x_8 = fma(-t91, angular_acceleration_z_11, acceleration_x_8);
-        let acceleration_y_8 = fma(-t94, angular_acceleration_y_10, fma(-t104, angular_acceleration_x_9, t343));
-        let acceleration_y_8 = fma(-t90, angular_acceleration_z_11, acceleration_y_8);
-        let acceleration_z_8 = fma(-t93, angular_acceleration_y_10, fma(-t103, angular_acceleration_x_9, t341));
-        let acceleration_z_8 = fma(-t89, angular_acceleration_z_11, acceleration_z_8);
-        let t349 = fma(-0.013296641892764124, acceleration_y_8, fma(-0.7613599420768367, acceleration_x_8, t213));
-        let t350 = fma(coupling_x0, angular_acceleration_x_9, fma(-0.14106512955956807, acceleration_z_8, t349));
-        let t351 = fma(coupling_z0, angular_acceleration_z_11, fma(coupling_y0, angular_acceleration_y_10, t350));
-        let t352 = fma(0.055993206221893924, acceleration_y_8, fma(0.26899095817779994, acceleration_x_8, t214));
-        let t353 = fma(coupling_x1, angular_acceleration_x_9, fma(0.23954110582463117, acceleration_z_8, t352));
-        let t354 = fma(coupling_z1, angular_acceleration_z_11, fma(coupling_y1, angular_acceleration_y_10, t353));
-        let t355 = fma(t95, angular_acceleration_z_2, t105 * angular_acceleration_z_3);
-        let t356 = fma(t91, angular_acceleration_z, t355);
-        let t357 = fma(t95, angular_acceleration_y, t105 * angular_acceleration_y_2);
-        let t358 = fma(t91, angular_acceleration_z_2, t357);
-        let t359 = fma(t95, angular_acceleration_y_2, t105 * angular_acceleration_x);
-        let t360 = fma(t91, angular_acceleration_z_3, t359);
-        let acceleration_x_9 = fma(t91, t356, fma(t95, t358, fma(t105, t360, 0.13702315917076313)));
-        let acceleration_y_9 = fma(t90, t356, fma(t94, t358, fma(t104, t360, 0.0004398005649018212)));
-        let acceleration_z_9 = fma(t89, t356, fma(t93, t358, fma(t103, t360, 0.0029901429709046825)));
-        let t361 = fma(-0.013296641892764124, acceleration_y_9, -0.7613599420768367 * acceleration_x_9);
-        let t362 = fma(coupling_x0, t360, -fma(-0.14106512955956807, acceleration_z_9, t361));
-        let t363 = fma(0.055993206221893924, acceleration_y_9, 0.26899095817779994 * acceleration_x_9);
-        let t364 = fma(coupling_x1, t360, -fma(0.23954110582463117, acceleration_z_9, t363));
-        let t365 = fma(t94, angular_acceleration_z_2, t104 * angular_acceleration_z_3);
-        let t366 = fma(t90, angular_acceleration_z, t365);
-        let t367 = fma(t94, angular_acceleration_y, t104 * angular_acceleration_y_2);
-        let t368 = fma(t90, angular_acceleration_z_2, t367);
-        let t369 = fma(t94, angular_acceleration_y_2, t104 * angular_acceleration_x);
-        let t370 = fma(t90, angular_acceleration_z_3, t369);
-        let acceleration_x_10 = fma(t91, t366, fma(t95, t368, fma(t105, t370, 0.0004398005649018212)));
-        let acceleration_y_10 = fma(t90, t366, fma(t94, t368, fma(t104, t370, 0.1257788668457493)));
-        let acceleration_z_10 = fma(t89, t366, fma(t93, t368, fma(t103, t370, 0.000253729233449132)));
-        let t371 = fma(-0.013296641892764124, acceleration_y_10, -0.7613599420768367 * acceleration_x_10);
-        let t372 = fma(coupling_x0, t370, -fma(-0.14106512955956807, acceleration_z_10, t371));
-        let t373 = fma(0.055993206221893924, acceleration_y_10, 0.26899095817779994 * acceleration_x_10);
-        let t374 = fma(coupling_x1, t370, -fma(0.23954110582463117, acceleration_z_10, t373));
-        let t375 = fma(t93, angular_acceleration_z_2, t103 * angular_acceleration_z_3);
-        let t376 = fma(t89, angular_acceleration_z, t375);
-        let t377 = fma(t93, angular_acceleration_y, t103 * angular_acceleration_y_2);
-        let t378 = fma(t89, angular_acceleration_z_2, t377);
-        let t379 = fma(t93, angular_acceleration_y_2, t103 * angular_acceleration_x);
-        let t380 = fma(t89, angular_acceleration_z_3, t379);
-        let acceleration_x_11 = fma(t91, t376, fma(t95, t378, fma(t105, t380, 0.0029901429709046825)));
-        let acceleration_y_11 = fma(t90, t376, fma(t94, t378, fma(t104, t380, 0.000253729233449132)));
-        let acceleration_z_11 = fma(t89, t376, fma(t93, t378, fma(t103, t380, 0.12702385080665668)));
-        let t381 = fma(-0.013296641892764124, acceleration_y_11, -0.7613599420768367 * acceleration_x_11);
-        let t382 = fma(coupling_x0, t380, -fma(-0.14106512955956807, acceleration_z_11, t381));
-        let t383 = fma(0.055993206221893924, acceleration_y_11, 0.26899095817779994 * acceleration_x_11);
-        let t384 = fma(coupling_x1, t380, -fma(0.23954110582463117, acceleration_z_11, t383));
-        let t385 = fma(0.14106512955956807, t380, fma(0.013296641892764124, t370, 0.7613599420768367 * t360));
-        let t386 = fma(coupling_y0, angular_acceleration_y_2, fma(coupling_x0, angular_acceleration_x, t385));
-        let t387 = fma(-0.055993206221893924, t370, -0.26899095817779994 * t360);
-        let t388 = fma(coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, t380, t387));
-        let t389 = fma(coupling_z1, angular_acceleration_z_3, fma(coupling_y1, angular_acceleration_y_2, t388));
-        let t390 = fma(0.14106512955956807, t378, fma(0.013296641892764124, t368, 0.7613599420768367 * t358));
-        let t391 = fma(coupling_y0, angular_acceleration_y, fma(coupling_x0, angular_acceleration_y_2, t390));
-        let t392 = fma(-0.055993206221893924, t368, -0.26899095817779994 * t358);
-        let t393 = fma(coupling_x1, angular_acceleration_y_2, fma(-0.23954110582463117, t378, t392));
-        let t394 = fma(coupling_z1, angular_acceleration_z_2, fma(coupling_y1, angular_acceleration_y, t393));
-        let t395 = fma(0.14106512955956807, t376, fma(0.013296641892764124, t366, 0.7613599420768367 * t356));
-        let t396 = fma(coupling_y0, angular_acceleration_z_2, fma(coupling_x0, angular_acceleration_z_3, t395));
-        let t397 = fma(-0.055993206221893924, t366, -0.26899095817779994 * t356);
-        let t398 = fma(coupling_x1, angular_acceleration_z_3, fma(-0.23954110582463117, t376, t397));
-        let t399 = fma(coupling_z1, angular_acceleration_z, fma(coupling_y1, angular_acceleration_z_2, t398));
-        let t400 = fma(t85, 0.002043075429934153, fma(t82, -0.10475159730564543, coupling_z0));
-        let t401 = fma(t88, -0.020198584797080615, t400);
-        let t402 = fma(t84, -0.002043075429934153, fma(t81, 0.10475159730564543, coupling_y0));
-        let t403 = fma(t87, -0.020198584797080615, t402);
-        let t404 = fma(t83, -0.002043075429934153, fma(t80, -0.10475159730564543, coupling_x0));
-        let t405 = fma(t86, 0.020198584797080615, t404);
-        let t406 = fma(angular_acceleration_z_2, t403, angular_acceleration_z_3 * t405);
-        let t407 = fma(angular_acceleration_z, t401, t406);
-        let t408 = fma(angular_acceleration_y, t403, angular_acceleration_y_2 * t405);
-        let t409 = fma(angular_acceleration_z_2, t401, t408);
-        let t410 = fma(angular_acceleration_y_2, t403, angular_acceleration_x * t405);
-        let t411 = fma(angular_acceleration_z_3, t401, t410);
-        let acceleration_x_12 = fma(t91, t407, fma(t95, t409, fma(t105, t411, 0.10475159730564543)));
-        let acceleration_y_12 = fma(t90, t407, fma(t94, t409, fma(t104, t411, 0.002043075429934153)));
-        let acceleration_z_12 = fma(t89, t407, fma(t93, t409, fma(t103, t411, 0.020198584797080615)));
-        let t412 = fma(0.013296641892764124, acceleration_y_12, fma(0.7613599420768367, acceleration_x_12, 1.0));
-        let t413 = fma(coupling_x0, t411, fma(0.14106512955956807, acceleration_z_12, t412));
-        let t414 = fma(0.055993206221893924, acceleration_y_12, 0.26899095817779994 * acceleration_x_12);
-        let t415 = fma(coupling_x1, t411, -fma(0.23954110582463117, acceleration_z_12, t414));
-        let t416 = fma(t85, -0.007221842986170696, fma(t82, 0.03759887887544408, coupling_z1));
-        let t417 = fma(t88, 0.03124596222445481, t416);
-        let t418 = fma(t84, 0.007221842986170696, fma(t81, -0.03759887887544408, coupling_y1));
-        let t419 = fma(t87, 0.03124596222445481, t418);
-        let t420 = fma(t83, 0.007221842986170696, fma(t80, 0.03759887887544408, coupling_x1));
-        let t421 = fma(t86, -0.03124596222445481, t420);
-        let t422 = fma(angular_acceleration_z_2, t419, angular_acceleration_z_3 * t421);
-        let t423 = fma(angular_acceleration_z, t417, t422);
-        let t424 = fma(angular_acceleration_y, t419, angular_acceleration_y_2 * t421);
-        let t425 = fma(angular_acceleration_z_2, t417, t424);
-        let t426 = fma(angular_acceleration_y_2, t419, angular_acceleration_x * t421);
-        let t427 = fma(angular_acceleration_z_3, t417, t426);
-        let acceleration_x_13 = fma(t91, t423, fma(t95, t425, fma(t105, t427, -0.03759887887544408)));
-        let acceleration_y_13 = fma(t90, t423, fma(t94, t425, fma(t104, t427, -0.007221842986170696)));
-        let acceleration_z_13 = fma(t89, t423, fma(t93, t425, fma(t103, t427, -0.03124596222445481)));
-        let t428 = fma(-0.013296641892764124, acceleration_y_13, -0.7613599420768367 * acceleration_x_13);
-        let t429 = fma(coupling_x0, t427, -fma(-0.14106512955956807, acceleration_z_13, t428));
-        let t430 = fma(-0.055993206221893924, acceleration_y_13, fma(-0.26899095817779994, acceleration_x_13, 1.0));
-        let t431 = fma(coupling_x1, t427, fma(-0.23954110582463117, acceleration_z_13, t430));
+        let reduced_moment_y_8 = fma(coupling_y1, t224, fma(coupling_y0, t223, reduced_moment_y_8));
+        let reduced_moment_z_8 = fma(coupling_z1, t224, fma(coupling_z0, t223, -fma(2.0, t60, t218 - t212)));
+        let t347 = fma(0.003449144794252644, reduced_force_x_7, reduced_force_y_5);
+        let t348 = fma(t224, -0.23954110582463117, fma(t223, 0.14106512955956807, t210 + t217));
+        let t349 = fma(-0.001997492847507307, t347, fma(-0.02353312234715631, reduced_force_x_7, t348));
+        let t350 = -0.12702385080665668 * t349;
+        let t351 = 0.12577836002342027 * t347;
+        let t352 = 0.1369512748345644 * reduced_force_x_7;
+        let t353 = fma(-t90, t350, fma(t89, t351, fma(t80, t352, reduced_moment_x_8)));
+        let t354 = fma(t98, t350, fma(t97, t351, fma(-t81, t352, reduced_moment_y_8)));
+        let t355 = fma(-t121, t353, t354);
+        let t356 = fma(t92, t350, fma(-t91, t351, fma(t82, t352, reduced_moment_z_8)));
+        let angular_acceleration_z_9 = angular_acceleration_z * fma(-t113, t355, fma(-t124, t353, t356));
+        let angular_acceleration_y_8 = fma(-t113, angular_acceleration_z_9, t126 * t355);
+        let angular_acceleration_x_8 = fma(-t121, angular_acceleration_y_8, fma(-t124, angular_acceleration_z_9, t120 * t353));
+        let acceleration_z_8 = fma(-t99, angular_acceleration_y_8, fma(-t104, angular_acceleration_x_8, t350));
+        let acceleration_z_8 = fma(-t93, angular_acceleration_z_9, acceleration_z_8);
+        let acceleration_y_8 = fma(-t100, angular_acceleration_y_8, fma(-t105, angular_acceleration_x_8, t351));
+        let acceleration_y_8 = fma(0.001997492847507307, acceleration_z_8, fma(-t94, angular_acceleration_z_9, acceleration_y_8));
+        let acceleration_x_8 = fma(-t101, angular_acceleration_y_8, fma(-t106, angular_acceleration_x_8, t352));
+        let acceleration_x_8 = fma(0.02353312234715631, acceleration_z_8, fma(-t95, angular_acceleration_z_9, acceleration_x_8));
+        let acceleration_x_8 = fma(0.003449144794252644, acceleration_y_8, acceleration_x_8);
+        let t357 = fma(-0.013296641892764124, acceleration_y_8, fma(-0.7613599420768367, acceleration_x_8, t223));
+        let t358 = fma(coupling_x0, angular_acceleration_x_8, fma(-0.14106512955956807, acceleration_z_8, t357));
+        let t359 = fma(coupling_z0, angular_acceleration_z_9, fma(coupling_y0, angular_acceleration_y_8, t358));
+        let t360 = fma(0.055993206221893924, acceleration_y_8, fma(0.26899095817779994, acceleration_x_8, t224));
+        let t361 = fma(coupling_x1, angular_acceleration_x_8, fma(0.23954110582463117, acceleration_z_8, t360));
+        let t362 = fma(coupling_z1, angular_acceleration_z_9, fma(coupling_y1, angular_acceleration_y_8, t361));
+        let t363 = fma(t90, 0.002990142970904682, fma(t89, -0.0004338277757044149, t106));
+        let t364 = fma(t98, -0.002990142970904682, fma(t97, -0.0004338277757044149, t101));
+        let t365 = fma(t121, t363, -t364);
+        let t366 = fma(t92, -0.002990142970904682, fma(t91, 0.0004338277757044149, t95));
+        let angular_acceleration_z_10 = angular_acceleration_z * fma(-t113, t365, fma(t124, t363, -t366));
+        let angular_acceleration_y_9 = fma(-t113, angular_acceleration_z_10, t126 * t365);
+        let t367 = fma(t121, angular_acceleration_y_9, fma(t124, angular_acceleration_z_10, t120 * t363));
+        let acceleration_z_9 = fma(-t99, angular_acceleration_y_9, fma(t104, t367, 0.002990142970904682));
+        let acceleration_z_9 = fma(-t93, angular_acceleration_z_10, acceleration_z_9);
+        let acceleration_y_9 = fma(-t100, angular_acceleration_y_9, fma(t105, t367, 0.0004338277757044149));
+        let acceleration_y_9 = fma(0.001997492847507307, acceleration_z_9, fma(-t94, angular_acceleration_z_10, acceleration_y_9));
+        let acceleration_x_9 = fma(-t101, angular_acceleration_y_9, fma(t106, t367, 0.1369512748345644));
+        let acceleration_x_9 = fma(0.02353312234715631, acceleration_z_9, fma(-t95, angular_acceleration_z_10, acceleration_x_9));
+        let acceleration_x_9 = fma(0.003449144794252644, acceleration_y_9, acceleration_x_9);
+        let t368 = fma(-0.013296641892764124, acceleration_y_9, -0.7613599420768367 * acceleration_x_9);
+        let t369 = fma(coupling_x0, t367, -fma(-0.14106512955956807, acceleration_z_9, t368));
+        let t370 = fma(-coupling_z0, angular_acceleration_z_10, fma(-coupling_y0, angular_acceleration_y_9, t369));
+        let t371 = fma(0.055993206221893924, acceleration_y_9, 0.26899095817779994 * acceleration_x_9);
+        let t372 = fma(coupling_x1, t367, -fma(0.23954110582463117, acceleration_z_9, t371));
+        let t373 = fma(-coupling_z1, angular_acceleration_z_10, fma(-coupling_y1, angular_acceleration_y_9, t372));
+        let t374 = fma(t90, 0.000253729233449132, t105);
+        let t375 = fma(t121, t374, -fma(t98, -0.000253729233449132, t100));
+        let t376 = fma(-t113, t375, fma(t124, t374, -fma(t92, -0.000253729233449132, t94)));
+        let angular_acceleration_z_11 = angular_acceleration_z * t376;
+        let angular_acceleration_y_10 = fma(-t113, angular_acceleration_z_11, t126 * t375);
+        let t377 = fma(t121, angular_acceleration_y_10, fma(t124, angular_acceleration_z_11, t120 * t374));
+        let acceleration_z_10 = fma(-t99, angular_acceleration_y_10, fma(t104, t377, 0.000253729233449132));
+        let acceleration_z_10 = fma(-t93, angular_acceleration_z_11, acceleration_z_10);
+        let acceleration_y_10 = fma(-t100, angular_acceleration_y_10, fma(t105, t377, 0.12577836002342027));
+        let acceleration_y_10 = fma(0.001997492847507307, acceleration_z_10, fma(-t94, angular_acceleration_z_11, acceleration_y_10));
+        let acceleration_x_10 = fma(-t95, angular_acceleration_z_11, fma(-t101, angular_acceleration_y_10, t106 * t377));
+        let acceleration_x_10 = fma(0.02353312234715631, acceleration_z_10, acceleration_x_10);
+        let acceleration_x_10 = fma(0.003449144794252644, acceleration_y_10, acceleration_x_10);
+        let t378 = fma(-0.013296641892764124, acceleration_y_10, -0.7613599420768367 * acceleration_x_10);
+        let t379 = fma(coupling_x0, t377, -fma(-0.14106512955956807, acceleration_z_10, t378));
+        let t380 = fma(-coupling_z0, angular_acceleration_z_11, fma(-coupling_y0, angular_acceleration_y_10, t379));
+        let t381 = fma(0.055993206221893924, acceleration_y_10, 0.26899095817779994 * acceleration_x_10);
+        let t382 = fma(coupling_x1, t377, -fma(0.23954110582463117, acceleration_z_10, t381));
+        let t383 = fma(-coupling_z1, angular_acceleration_z_11, fma(-coupling_y1, angular_acceleration_y_10, t382));
+        let t384 = fma(t104, t121, -t99);
+        let angular_acceleration_z_12 = angular_acceleration_z * fma(-t113, t384, fma(t104, t124, -t93));
+        let angular_acceleration_y_11 = fma(-t113, angular_acceleration_z_12, t126 * t384);
+        let t385 = fma(t121, angular_acceleration_y_11, fma(t124, angular_acceleration_z_12, t104 * t120));
+        let acceleration_z_11 = fma(-t99, angular_acceleration_y_11, fma(t104, t385, 0.12702385080665668));
+        let acceleration_z_11 = fma(-t93, angular_acceleration_z_12, acceleration_z_11);
+        let acceleration_y_11 = fma(-t94, angular_acceleration_z_12, fma(-t100, angular_acceleration_y_11, t105 * t385));
+        let acceleration_y_11 = fma(0.001997492847507307, acceleration_z_11, acceleration_y_11);
+        let acceleration_x_11 = fma(-t95, angular_acceleration_z_12, fma(-t101, angular_acceleration_y_11, t106 * t385));
+        let acceleration_x_11 = fma(0.02353312234715631, acceleration_z_11, acceleration_x_11);
+        let acceleration_x_11 = fma(0.003449144794252644, acceleration_y_11, acceleration_x_11);
+        let t386 = fma(-0.013296641892764124, acceleration_y_11, -0.7613599420768367 * acceleration_x_11);
+        let t387 = fma(coupling_x0, t385, -fma(-0.14106512955956807, acceleration_z_11, t386));
+        let t388 = fma(-coupling_z0, angular_acceleration_z_12, fma(-coupling_y0, angular_acceleration_y_11, t387));
+        let t389 = fma(0.055993206221893924, acceleration_y_11, 0.26899095817779994 * acceleration_x_11);
+        let t390 = fma(coupling_x1, t385, -fma(0.23954110582463117, acceleration_z_11, t389));
+        let t391 = fma(-coupling_z1, angular_acceleration_z_12, fma(-coupling_y1, angular_acceleration_y_11, t390));
+        let angular_acceleration_z_13 = angular_acceleration_z * fma(t121, t113, -t124);
+        let t392 = fma(t113, angular_acceleration_z_13, t121 * t126);
+        let angular_acceleration_x_9 = fma(t121, t392, fma(-t124, angular_acceleration_z_13, t120));
+        let acceleration_z_12 = fma(-t93, angular_acceleration_z_13, fma(-t104, angular_acceleration_x_9, t99 * t392));
+        let acceleration_y_12 = fma(-t94, angular_acceleration_z_13, fma(-t105, angular_acceleration_x_9, t100 * t392));
+        let acceleration_y_12 = fma(0.001997492847507307, acceleration_z_12, acceleration_y_12);
+        let acceleration_x_12 = fma(-t95, angular_acceleration_z_13, fma(-t106, angular_acceleration_x_9, t101 * t392));
+        let acceleration_x_12 = fma(0.02353312234715631, acceleration_z_12, acceleration_x_12);
+        let acceleration_x_12 = fma(0.003449144794252644, acceleration_y_12, acceleration_x_12);
+        let t393 = fma(-0.013296641892764124, acceleration_y_12, -0.7613599420768367 * acceleration_x_12);
+        let t394 = fma(coupling_x0, angular_acceleration_x_9, fma(-0.14106512955956807, acceleration_z_12, t393));
+        let t395 = fma(-coupling_z0, angular_acceleration_z_13, fma(coupling_y0, t392, -t394));
+        let t396 = fma(0.055993206221893924, acceleration_y_12, 0.26899095817779994 * acceleration_x_12);
+        let t397 = fma(coupling_x1, angular_acceleration_x_9, fma(0.23954110582463117, acceleration_z_12, t396));
+        let t398 = fma(-coupling_z1, angular_acceleration_z_13, fma(coupling_y1, t392, -t397));
+        let t399 = t113 * angular_acceleration_z;
+        let angular_acceleration_y_12 = fma(t113, t399, t126);
+        let angular_acceleration_x_10 = fma(-t121, angular_acceleration_y_12, t124 * t399);
+        let t400 = fma(t99, angular_acceleration_y_12, t104 * angular_acceleration_x_10);
+        let acceleration_z_13 = fma(t93, t399, -t400);
+        let t401 = fma(t100, angular_acceleration_y_12, t105 * angular_acceleration_x_10);
+        let acceleration_y_13 = fma(0.001997492847507307, acceleration_z_13, fma(t94, t399, -t401));
+        let t402 = fma(t101, angular_acceleration_y_12, t106 * angular_acceleration_x_10);
+        let acceleration_x_13 = fma(0.02353312234715631, acceleration_z_13, fma(t95, t399, -t402));
+        let acceleration_x_13 = fma(0.003449144794252644, acceleration_y_13, acceleration_x_13);
+        let t403 = fma(-0.013296641892764124, acceleration_y_13, -0.7613599420768367 * acceleration_x_13);
+        let t404 = fma(coupling_x0, angular_acceleration_x_10, fma(-0.14106512955956807, acceleration_z_13, t403));
+        let t405 = fma(coupling_z0, t399, -fma(coupling_y0, angular_acceleration_y_12, t404));
+        let t406 = fma(0.055993206221893924, acceleration_y_13, 0.26899095817779994 * acceleration_x_13);
+        let t407 = fma(coupling_x1, angular_acceleration_x_10, fma(0.23954110582463117, acceleration_z_13, t406));
+        let t408 = fma(coupling_z1, t399, -fma(coupling_y1, angular_acceleration_y_12, t407));
+        let angular_acceleration_x_11 = fma(-t124, angular_acceleration_z, t121 * t399);
+        let acceleration_z_14 = fma(-t93, angular_acceleration_z, fma(-t104, angular_acceleration_x_11, t99 * t399));
+        let acceleration_y_14 = fma(-t94, angular_acceleration_z, fma(-t105, angular_acceleration_x_11, t100 * t399));
+        let acceleration_y_14 = fma(0.001997492847507307, acceleration_z_14, acceleration_y_14);
+        let acceleration_x_14 = fma(-t95, angular_acceleration_z, fma(-t106, angular_acceleration_x_11, t101 * t399));
+        let acceleration_x_14 = fma(0.02353312234715631, acceleration_z_14, acceleration_x_14);
+        let acceleration_x_14 = fma(0.003449144794252644, acceleration_y_14, acceleration_x_14);
+        let t409 = fma(-0.013296641892764124, acceleration_y_14, -0.7613599420768367 * acceleration_x_14);
+        let t410 = fma(coupling_x0, angular_acceleration_x_11, fma(-0.14106512955956807, acceleration_z_14, t409));
+        let t411 = fma(-coupling_z0, angular_acceleration_z, fma(coupling_y0, t399, -t410));
+        let t412 = fma(0.055993206221893924, acceleration_y_14, 0.26899095817779994 * acceleration_x_14);
+        let t413 = fma(coupling_x1, angular_acceleration_x_11, fma(0.23954110582463117, acceleration_z_14, t412));
+        let t414 = fma(-coupling_z1, angular_acceleration_z, fma(coupling_y1, t399, -t413));
+        let t415 = fma(t89, -0.0020027289012722145, fma(t80, -0.1042692146753929, coupling_x0));
+        let t416 = fma(t90, 0.020198584797080615, t415);
+        let t417 = fma(t97, -0.0020027289012722145, fma(t81, 0.1042692146753929, coupling_y0));
+        let t418 = fma(t121, t416, -fma(t98, -0.020198584797080615, t417));
+        let t419 = fma(t91, 0.0020027289012722145, fma(t82, -0.1042692146753929, coupling_z0));
+        let t420 = fma(-t113, t418, fma(t124, t416, -fma(t92, -0.020198584797080615, t419)));
+        let angular_acceleration_z_14 = angular_acceleration_z * t420;
+        let angular_acceleration_y_13 = fma(-t113, angular_acceleration_z_14, t126 * t418);
+        let t421 = fma(t121, angular_acceleration_y_13, fma(t124, angular_acceleration_z_14, t120 * t416));
+        let acceleration_z_15 = fma(-t99, angular_acceleration_y_13, fma(t104, t421, 0.020198584797080615));
+        let acceleration_z_15 = fma(-t93, angular_acceleration_z_14, acceleration_z_15);
+        let acceleration_y_15 = fma(-t100, angular_acceleration_y_13, fma(t105, t421, 0.0020027289012722145));
+        let acceleration_y_15 = fma(0.001997492847507307, acceleration_z_15, fma(-t94, angular_acceleration_z_14, acceleration_y_15));
+        let acceleration_x_15 = fma(-t101, angular_acceleration_y_13, fma(t106, t421, 0.1042692146753929));
+        let acceleration_x_15 = fma(0.02353312234715631, acceleration_z_15, fma(-t95, angular_acceleration_z_14, acceleration_x_15));
+        let acceleration_x_15 = fma(0.003449144794252644, acceleration_y_15, acceleration_x_15);
+        let t422 = fma(0.013296641892764124, acceleration_y_15, fma(0.7613599420768367, acceleration_x_15, 1.0));
+        let t423 = fma(coupling_x0, t421, fma(0.14106512955956807, acceleration_z_15, t422));
+        let t424 = fma(-coupling_z0, angular_acceleration_z_14, fma(-coupling_y0, angular_acceleration_y_13, t423));
+        let t425 = fma(0.055993206221893924, acceleration_y_15, 0.26899095817779994 * acceleration_x_15);
+        let t426 = fma(coupling_x1, t421, -fma(0.23954110582463117, acceleration_z_15, t425));
+        let t427 = fma(-coupling_z1, angular_acceleration_z_14, fma(-coupling_y1, angular_acceleration_y_13, t426));
+        let t428 = fma(t89, 0.007159429400113864, fma(t80, 0.0368386546414207, coupling_x1));
+        let t429 = fma(t90, -0.031245962224454814, t428);
+        let t430 = fma(t97, 0.007159429400113864, fma(t81, -0.0368386546414207, coupling_y1));
+        let t431 = fma(t121, t429, -fma(t98, 0.031245962224454814, t430));
+        let t432 = fma(t91, -0.007159429400113864, fma(t82, 0.0368386546414207, coupling_z1));
+        let t433 = fma(-t113, t431, fma(t124, t429, -fma(t92, 0.031245962224454814, t432)));
+        let angular_acceleration_z_15 = angular_acceleration_z * t433;
+        let angular_acceleration_y_14 = fma(-t113, angular_acceleration_z_15, t126 * t431);
+        let t434 = fma(t121, angular_acceleration_y_14, fma(t124, angular_acceleration_z_15, t120 * t429));
+        let acceleration_z_16 = fma(-t99, angular_acceleration_y_14, fma(t104, t434, -0.031245962224454814));
+        let acceleration_z_16 = fma(-t93, angular_acceleration_z_15, acceleration_z_16);
+        let acceleration_y_16 = fma(-t100, angular_acceleration_y_14, fma(t105, t434, -0.007159429400113864));
+        let acceleration_y_16 = fma(0.001997492847507307, acceleration_z_16, fma(-t94, angular_acceleration_z_15, acceleration_y_16));
+        let acceleration_x_16 = fma(-t101, angular_acceleration_y_14, fma(t106, t434, -0.0368386546414207));
+        let acceleration_x_16 = fma(0.02353312234715631, acceleration_z_16, fma(-t95, angular_acceleration_z_15, acceleration_x_16));
+        let acceleration_x_16 = fma(0.003449144794252644, acceleration_y_16, acceleration_x_16);
+        let t435 = fma(-0.013296641892764124, acceleration_y_16, -0.7613599420768367 * acceleration_x_16);
+        let t436 = fma(coupling_x0, t434, -fma(-0.14106512955956807, acceleration_z_16, t435));
+        let t437 = fma(-coupling_z0, angular_acceleration_z_15, fma(-coupling_y0, angular_acceleration_y_14, t436));
+        let t438 = fma(-0.055993206221893924, acceleration_y_16, fma(-0.26899095817779994, acceleration_x_16, 1.0));
+        let t439 = fma(coupling_x1, t434, fma(-0.23954110582463117, acceleration_z_16, t438));
+        let t440 = fma(-coupling_z1, angular_acceleration_z_15, fma(-coupling_y1, angular_acceleration_y_14, t439));
 
         (
             [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x_2,
-                angular_acceleration_y_3, angular_acceleration_z_4, t119, t122,
+                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+                angular_acceleration_y, angular_acceleration_z_2, t129, t132,
             ],
             [
                 [
-                    acceleration_x_2, acceleration_y_2, acceleration_z_2, angular_acceleration_x_3,
-                    angular_acceleration_y_4, angular_acceleration_z_5, -t242, -t245,
+                    acceleration_x_2, acceleration_y_2, acceleration_z_2, angular_acceleration_x_2,
+                    angular_acceleration_y_2, angular_acceleration_z_3, -t251, -t254,
                 ],
                 [
-                    acceleration_x_3, acceleration_y_3, acceleration_z_3, angular_acceleration_x_4,
-                    angular_acceleration_y_5, angular_acceleration_z_6, -t273, -t276,
-                ],
-            ],
-            [
-                [
-                    acceleration_x_4, acceleration_y_4, acceleration_z_4, angular_acceleration_x_5,
-                    angular_acceleration_y_6, angular_acceleration_z_7,
-                    fma(-coupling_z0, angular_acceleration_z_7, t288), -t291,
-                ],
-                [
-                    acceleration_x_5, acceleration_y_5, acceleration_z_5, angular_acceleration_x_6,
-                    angular_acceleration_y_7, angular_acceleration_z_8, -t303,
-                    fma(-coupling_z1, angular_acceleration_z_8, t306),
+                    acceleration_x_3, acceleration_y_3, acceleration_z_3, angular_acceleration_x_3,
+                    angular_acceleration_y_3, angular_acceleration_z_4, -t281, -t284,
                 ],
             ],
             [
                 [
-                    acceleration_x_6, acceleration_y_6, acceleration_z_6, angular_acceleration_x_7,
-                    angular_acceleration_y_8, angular_acceleration_z_9, -t319, -t322,
+                    acceleration_x_4, acceleration_y_4, acceleration_z_4, angular_acceleration_x_4,
+                    angular_acceleration_y_4, angular_acceleration_z_5,
+                    fma(-coupling_z0, angular_acceleration_z_5, t296), -t299,
                 ],
                 [
-                    acceleration_x_7, acceleration_y_7, acceleration_z_7, angular_acceleration_x_8,
-                    angular_acceleration_y_9, angular_acceleration_z_10, -t335, -t338,
-                ],
-                [
-                    acceleration_x_8, acceleration_y_8, acceleration_z_8, angular_acceleration_x_9,
-                    angular_acceleration_y_10, angular_acceleration_z_11, -t351, -t354,
+                    acceleration_x_5, acceleration_y_5, acceleration_z_5, angular_acceleration_x_5,
+                    angular_acceleration_y_5, angular_acceleration_z_6, -t311,
+                    fma(-coupling_z1, angular_acceleration_z_6, t314),
                 ],
             ],
             [
                 [
-                    acceleration_x_9, acceleration_y_9, acceleration_z_9, -t360, -t358, -t356,
-                    fma(coupling_z0, t356, fma(coupling_y0, t358, t362)),
-                    fma(coupling_z1, t356, fma(coupling_y1, t358, t364)),
+                    acceleration_x_6, acceleration_y_6, acceleration_z_6, angular_acceleration_x_6,
+                    angular_acceleration_y_6, angular_acceleration_z_7, -t327, -t330,
                 ],
                 [
-                    acceleration_x_10, acceleration_y_10, acceleration_z_10, -t370, -t368, -t366,
-                    fma(coupling_z0, t366, fma(coupling_y0, t368, t372)),
-                    fma(coupling_z1, t366, fma(coupling_y1, t368, t374)),
+                    acceleration_x_7, acceleration_y_7, acceleration_z_7, angular_acceleration_x_7,
+                    angular_acceleration_y_7, angular_acceleration_z_8, -t343, -t346,
                 ],
                 [
-                    acceleration_x_11, acceleration_y_11, acceleration_z_11, -t380, -t378, -t376,
-                    fma(coupling_z0, t376, fma(coupling_y0, t378, t382)),
-                    fma(coupling_z1, t376, fma(coupling_y1, t378, t384)),
+                    acceleration_x_8, acceleration_y_8, acceleration_z_8, angular_acceleration_x_8,
+                    angular_acceleration_y_8, angular_acceleration_z_9, -t359, -t362,
+                ],
+            ],
+            [
+                [
+                    acceleration_x_9, acceleration_y_9, acceleration_z_9, -t367, angular_acceleration_y_9,
+                    angular_acceleration_z_10, t370, t373,
                 ],
                 [
-                    -t360, -t370, -t380, angular_acceleration_x, angular_acceleration_y_2,
-                    angular_acceleration_z_3, -fma(coupling_z0, angular_acceleration_z_3, t386), -t389,
+                    acceleration_x_10, acceleration_y_10, acceleration_z_10, -t377,
+                    angular_acceleration_y_10, angular_acceleration_z_11, t380, t383,
                 ],
                 [
-                    -t358, -t368, -t378, angular_acceleration_y_2, angular_acceleration_y,
-                    angular_acceleration_z_2, -fma(coupling_z0, angular_acceleration_z_2, t391), -t394,
+                    acceleration_x_11, acceleration_y_11, acceleration_z_11, -t385,
+                    angular_acceleration_y_11, angular_acceleration_z_12, t388, t391,
                 ],
                 [
-                    -t356, -t366, -t376, angular_acceleration_z_3, angular_acceleration_z_2,
-                    angular_acceleration_z, -fma(coupling_z0, angular_acceleration_z, t396), -t399,
+                    acceleration_x_12, acceleration_y_12, acceleration_z_12, angular_acceleration_x_9, -t392,
+                    angular_acceleration_z_13, t395, t398,
                 ],
                 [
-                    acceleration_x_12, acceleration_y_12, acceleration_z_12, -t411, -t409, -t407,
-                    fma(coupling_z0, t407, fma(coupling_y0, t409, t413)),
-                    fma(coupling_z1, t407, fma(coupling_y1, t409, t415)),
+                    acceleration_x_13, acceleration_y_13, acceleration_z_13, angular_acceleration_x_10,
+                    angular_acceleration_y_12, -t399, t405, t408,
                 ],
                 [
-                    acceleration_x_13, acceleration_y_13, acceleration_z_13, -t427, -t425, -t423,
-                    fma(coupling_z0, t423, fma(coupling_y0, t425, t429)),
-                    fma(coupling_z1, t423, fma(coupling_y1, t425, t431)),
+                    acceleration_x_14, acceleration_y_14, acceleration_z_14, angular_acceleration_x_11,
+                    -t399, angular_acceleration_z, t411, t414,
+                ],
+                [
+                    acceleration_x_15, acceleration_y_15, acceleration_z_15, -t421,
+                    angular_acceleration_y_13, angular_acceleration_z_14, t424, t427,
+                ],
+                [
+                    acceleration_x_16, acceleration_y_16, acceleration_z_16, -t434,
+                    angular_acceleration_y_14, angular_acceleration_z_15, t437, t440,
                 ],
             ],
         )

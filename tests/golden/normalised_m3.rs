@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          120 operations: 87 multiply-add, 6 multiply, 27 add
 //   quadratic_velocity   261 operations: 168 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     469 operations: 329 multiply-add, 88 multiply, 51 add, 1 divide
-//   equations_of_motion  469 operations: 329 multiply-add, 88 multiply, 51 add, 1 divide
+//   forward_dynamics     458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide
+//   equations_of_motion  458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide
 //   kinetic_energy       203 operations: 136 multiply-add, 27 multiply, 40 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      27 operations: 24 multiply-add, 3 multiply
@@ -397,7 +397,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 469 operations: 329 multiply-add, 88 multiply, 51 add, 1 divide.
+    /// Cost: 458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -562,17 +562,11 @@ const _: () = {
         let t38 = fma(-0.25776611797120724, coupling_z1, fma(-0.06409007611640456, coupling_z0, first_moment_y));
         let t39 = fma(-0.23893014622917852, coupling_z2, t38);
         let t40 = fma(-0.17297569884952893, coupling_x1, fma(-0.9001934196050294, coupling_x0, first_moment_z));
-        let t41 = fma(-0.42481972953070996, coupling_x2, t40);
-        let t42 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
-        let t43 = fma(-0.42481972953070996, coupling_y2, t42);
-        let t44 = fma(0.17297569884952893, coupling_z1, fma(0.9001934196050294, coupling_z0, first_moment_x));
-        let t45 = fma(0.42481972953070996, coupling_z2, t44);
-        let t46 = fma(0.05794438109558275, coupling_x1, fma(0.10812284215722648, coupling_x0, first_moment_y));
-        let t47 = fma(-0.02522646067793359, coupling_x2, t46);
-        let t48 = fma(-0.05794438109558275, coupling_y1, fma(-0.10812284215722648, coupling_y0, first_moment_x));
-        let t49 = fma(0.02522646067793359, coupling_y2, t48);
-        let t50 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
-        let t51 = fma(0.02522646067793359, coupling_z2, t50);
+        let t41 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
+        let t42 = fma(0.17297569884952893, coupling_z1, fma(0.9001934196050294, coupling_z0, first_moment_x));
+        let t43 = fma(0.05794438109558275, coupling_x1, fma(0.10812284215722648, coupling_x0, first_moment_y));
+        let t44 = fma(-0.05794438109558275, coupling_y1, fma(-0.10812284215722648, coupling_y0, first_moment_x));
+        let t45 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
         let reduced_force_x = fma(0.06409007611640456, modal_residual0, force_x - fma(-omega_z, t2, omega_y * t4));
         let reduced_force_x = fma(0.23893014622917852, modal_residual2, fma(0.25776611797120724, modal_residual1, reduced_force_x));
         let reduced_force_y = fma(0.9001934196050294, modal_residual0, force_y - fma(-omega_x, t4, omega_z * t6));
@@ -586,57 +580,62 @@ const _: () = {
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t52 = fma(t45, 0.0020881186486960903, t39 * -0.0003571574743600769);
-        let t53 = fma(t51, -0.13620443776353558, t52);
-        let t54 = fma(t51, -0.0020881186486960903, fma(t45, 0.15794431005496007, t39 * -0.0044554451455134335));
-        let t55 = fma(t51, -0.0003571574743600769, fma(t45, 0.0044554451455134335, t39 * -0.13841073648711544));
-        let t56 = fma(t41, t54, fma(t35, t55, fma(-coupling_x2, coupling_z2, t32)));
-        let t57 = fma(-t47, t53, t56);
-        let t58 = fma(t43, -0.0020881186486960903, t37 * 0.0003571574743600769);
-        let t59 = fma(t49, -0.13620443776353558, t58);
-        let t60 = fma(t49, -0.0020881186486960903, fma(t43, -0.15794431005496007, t37 * 0.0044554451455134335));
-        let t61 = fma(t49, -0.0003571574743600769, fma(t43, -0.0044554451455134335, t37 * 0.13841073648711544));
-        let t62 = fma(t43, t60, fma(-t37, t61, fma(-coupling_y2, coupling_y2, t29)));
-        let t63 = fma(t49, t59, t62);
-        let t64 = fma(t43, t54, fma(-t37, t55, fma(-coupling_y2, coupling_z2, t31)));
-        let t65 = fma(t49, t53, t64);
-        let t66 = fma(t41, t60, fma(t35, t61, fma(-coupling_x2, coupling_y2, t33)));
-        let t67 = fma(-t47, t59, t66);
-        let t68 = fma(-t63, t57, t65 * t67);
-        let t69 = fma(-t45, t54, fma(t39, t55, fma(-coupling_z2, coupling_z2, t30)));
-        let t70 = fma(t51, t53, t69);
-        let t71 = fma(-t70, t67, t65 * t57);
-        let t72 = fma(t41, -0.0020881186486960903, t35 * -0.0003571574743600769);
-        let t73 = fma(t47, 0.13620443776353558, t72);
-        let t74 = fma(t47, 0.0020881186486960903, fma(t41, -0.15794431005496007, t35 * -0.0044554451455134335));
-        let t75 = fma(t47, 0.0003571574743600769, fma(t41, -0.0044554451455134335, t35 * -0.13841073648711544));
-        let t76 = fma(t41, t74, fma(t35, t75, fma(-coupling_x2, coupling_x2, t28)));
-        let t77 = fma(-t47, t73, t76);
-        let t78 = fma(-t65, t65, t63 * t70);
-        let inverse_determinant = 1.0 / fma(t57, t68, fma(t67, t71, t77 * t78));
-        let t79 = fma(reduced_force_y, 0.0020881186486960903, reduced_force_x * 0.0003571574743600769);
-        let t80 = fma(reduced_force_z, 0.13620443776353558, t79);
-        let t81 = fma(reduced_force_y, 0.15794431005496007, reduced_force_x * 0.0044554451455134335);
-        let t82 = fma(reduced_force_z, 0.0020881186486960903, t81);
-        let t83 = fma(reduced_force_y, 0.0044554451455134335, reduced_force_x * 0.13841073648711544);
-        let t84 = fma(reduced_force_z, 0.0003571574743600769, t83);
-        let t85 = fma(t51, t80, fma(-t45, t82, fma(t39, t84, reduced_moment_z)));
-        let t86 = t68 * inverse_determinant;
-        let t87 = fma(t49, t80, fma(t43, t82, fma(-t37, t84, reduced_moment_y)));
-        let t88 = t71 * inverse_determinant;
-        let t89 = fma(-t47, t80, fma(t41, t82, fma(t35, t84, reduced_moment_x)));
-        let angular_acceleration_x = fma(t85, t86, fma(t87, t88, t89 * (t78 * inverse_determinant)));
-        let t90 = fma(-t77, t65, t57 * t67) * inverse_determinant;
-        let angular_acceleration_y = fma(t87, fma(-t57, t57, t77 * t70) * inverse_determinant, t89 * t88);
-        let angular_acceleration_y = fma(t85, t90, angular_acceleration_y);
-        let angular_acceleration_z = fma(t85, fma(-t67, t67, t77 * t63) * inverse_determinant, fma(t87, t90, t89 * t86));
-        let acceleration_x = fma(-t61, angular_acceleration_y, fma(-t75, angular_acceleration_x, t84));
-        let acceleration_x = fma(-t55, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t60, angular_acceleration_y, fma(-t74, angular_acceleration_x, t82));
-        let acceleration_y = fma(-t54, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t73, angular_acceleration_x, t80));
-        let acceleration_z = fma(-t53, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t46 = fma(t35, 0.028180006971925246, fma(-0.42481972953070996, coupling_x2, t40));
+        let t47 = fma(-0.0021901949832171925, t35, fma(-0.02522646067793359, coupling_x2, t43));
+        let t48 = fma(-0.015330768093777324, t46, t47);
+        let t49 = fma(-0.028180006971925246, t39, fma(0.42481972953070996, coupling_z2, t42));
+        let t50 = fma(t39, 0.0021901949832171925, fma(0.02522646067793359, coupling_z2, t45));
+        let t51 = fma(-0.015330768093777324, t49, t50);
+        let t52 = t51 * -0.13620443776353558;
+        let t53 = 0.15791229759220463 * t49;
+        let t54 = t39 * -0.13828439976734327;
+        let t55 = fma(t46, t53, fma(t35, t54, fma(-coupling_x2, coupling_z2, t32)));
+        let t56 = fma(-t48, t52, t55);
+        let t57 = fma(t37, -0.028180006971925246, fma(-0.42481972953070996, coupling_y2, t41));
+        let t58 = fma(t37, -0.0021901949832171925, fma(0.02522646067793359, coupling_y2, t44));
+        let t59 = fma(0.015330768093777324, t57, t58);
+        let t60 = t59 * -0.13620443776353558;
+        let t61 = t57 * -0.15791229759220463;
+        let t62 = t37 * 0.13828439976734327;
+        let t63 = fma(t46, t61, fma(t35, t62, fma(-coupling_x2, coupling_y2, t33)));
+        let t64 = fma(-t48, t60, t63);
+        let t65 = t64 * 0.09904722110632364;
+        let t66 = fma(t57, t53, fma(-t37, t54, fma(-coupling_y2, coupling_z2, t31)));
+        let t67 = 0.13620443776353558 * t48;
+        let t68 = t46 * -0.15791229759220463;
+        let t69 = t35 * -0.13828439976734327;
+        let t70 = fma(t46, t68, fma(t35, t69, fma(-coupling_x2, coupling_x2, t28)));
+        let t71 = fma(-t48, t67, t70);
+        let t72 = t71 * 0.09904722110632364;
+        let t73 = fma(-t56, t65, fma(t59, t52, t66) * t72);
+        let t74 = fma(t57, t61, fma(-t37, t62, fma(-coupling_y2, coupling_y2, t29)));
+        let t75 = fma(-t64, t65, fma(t59, t60, t74) * t72);
+        let t76 = fma(-t49, t53, fma(t39, t54, fma(-coupling_z2, coupling_z2, t30)));
+        let t77 = fma(-t56, t56 * 0.09904722110632364, fma(t51, t52, t76) * t72);
+        let t78 = 1.0 / t75;
+        let t79 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
+        let t80 = fma(0.015330768093777324, t79, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
+        let t81 = 0.13620443776353558 * t80;
+        let t82 = 0.15791229759220463 * t79;
+        let t83 = reduced_force_x * 0.13828439976734327;
+        let t84 = fma(-t48, t81, fma(t46, t82, fma(t35, t83, reduced_moment_x)));
+        let t85 = 1.0 / t71;
+        let t86 = t64 * t85;
+        let t87 = fma(t59, t81, fma(t57, t82, fma(-t37, t83, reduced_moment_y)));
+        let t88 = fma(-t84, t86, t87);
+        let t89 = t56 * t85;
+        let t90 = fma(t51, t81, fma(-t49, t82, fma(t39, t83, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t73, t73, t75 * t77) * (t72 * t75) * fma(-(t73 * t78), t88, fma(-t84, t89, t90));
+        let angular_acceleration_y = fma(-(t73 * t78), angular_acceleration_z, t72 * t78 * t88);
+        let angular_acceleration_x = fma(-t86, angular_acceleration_y, fma(-t89, angular_acceleration_z, t84 * t85));
+        let acceleration_z = fma(-t60, angular_acceleration_y, fma(-t67, angular_acceleration_x, t81));
+        let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t61, angular_acceleration_y, fma(-t68, angular_acceleration_x, t82));
+        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t53, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t62, angular_acceleration_y, fma(-t69, angular_acceleration_x, t83));
+        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t54, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
         let t91 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
@@ -659,7 +658,7 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 469 operations: 329 multiply-add, 88 multiply, 51 add, 1 divide.
+    /// Cost: 458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 3],
@@ -835,17 +834,11 @@ const _: () = {
         let t44 = fma(-0.25776611797120724, coupling_z1, fma(-0.06409007611640456, coupling_z0, first_moment_y));
         let t45 = fma(-0.23893014622917852, coupling_z2, t44);
         let t46 = fma(-0.17297569884952893, coupling_x1, fma(-0.9001934196050294, coupling_x0, first_moment_z));
-        let t47 = fma(-0.42481972953070996, coupling_x2, t46);
-        let t48 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
-        let t49 = fma(-0.42481972953070996, coupling_y2, t48);
-        let t50 = fma(0.17297569884952893, coupling_z1, fma(0.9001934196050294, coupling_z0, first_moment_x));
-        let t51 = fma(0.42481972953070996, coupling_z2, t50);
-        let t52 = fma(0.05794438109558275, coupling_x1, fma(0.10812284215722648, coupling_x0, first_moment_y));
-        let t53 = fma(-0.02522646067793359, coupling_x2, t52);
-        let t54 = fma(-0.05794438109558275, coupling_y1, fma(-0.10812284215722648, coupling_y0, first_moment_x));
-        let t55 = fma(0.02522646067793359, coupling_y2, t54);
-        let t56 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
-        let t57 = fma(0.02522646067793359, coupling_z2, t56);
+        let t47 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
+        let t48 = fma(0.17297569884952893, coupling_z1, fma(0.9001934196050294, coupling_z0, first_moment_x));
+        let t49 = fma(0.05794438109558275, coupling_x1, fma(0.10812284215722648, coupling_x0, first_moment_y));
+        let t50 = fma(-0.05794438109558275, coupling_y1, fma(-0.10812284215722648, coupling_y0, first_moment_x));
+        let t51 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
         let reduced_force_x = fma(0.25776611797120724, modal_residual1, fma(0.06409007611640456, modal_residual0, force_x - t5));
         let reduced_force_x = fma(0.23893014622917852, modal_residual2, reduced_force_x);
         let reduced_force_y = fma(0.17297569884952893, modal_residual1, fma(0.9001934196050294, modal_residual0, force_y - t8));
@@ -859,57 +852,62 @@ const _: () = {
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
         let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
 
-        // Rigid-body accelerations (103 operations: 74 multiply-add, 28 multiply, 1 divide)
-        let t58 = fma(t51, 0.0020881186486960903, t45 * -0.0003571574743600769);
-        let t59 = fma(t57, -0.13620443776353558, t58);
-        let t60 = fma(t57, -0.0020881186486960903, fma(t51, 0.15794431005496007, t45 * -0.0044554451455134335));
-        let t61 = fma(t57, -0.0003571574743600769, fma(t51, 0.0044554451455134335, t45 * -0.13841073648711544));
-        let t62 = fma(t47, t60, fma(t41, t61, fma(-coupling_x2, coupling_z2, t38)));
-        let t63 = fma(-t53, t59, t62);
-        let t64 = fma(t49, -0.0020881186486960903, t43 * 0.0003571574743600769);
-        let t65 = fma(t55, -0.13620443776353558, t64);
-        let t66 = fma(t55, -0.0020881186486960903, fma(t49, -0.15794431005496007, t43 * 0.0044554451455134335));
-        let t67 = fma(t55, -0.0003571574743600769, fma(t49, -0.0044554451455134335, t43 * 0.13841073648711544));
-        let t68 = fma(t49, t66, fma(-t43, t67, fma(-coupling_y2, coupling_y2, t35)));
-        let t69 = fma(t55, t65, t68);
-        let t70 = fma(t49, t60, fma(-t43, t61, fma(-coupling_y2, coupling_z2, t37)));
-        let t71 = fma(t55, t59, t70);
-        let t72 = fma(t47, t66, fma(t41, t67, fma(-coupling_x2, coupling_y2, t39)));
-        let t73 = fma(-t53, t65, t72);
-        let t74 = fma(-t69, t63, t71 * t73);
-        let t75 = fma(-t51, t60, fma(t45, t61, fma(-coupling_z2, coupling_z2, t36)));
-        let t76 = fma(t57, t59, t75);
-        let t77 = fma(-t76, t73, t71 * t63);
-        let t78 = fma(t47, -0.0020881186486960903, t41 * -0.0003571574743600769);
-        let t79 = fma(t53, 0.13620443776353558, t78);
-        let t80 = fma(t53, 0.0020881186486960903, fma(t47, -0.15794431005496007, t41 * -0.0044554451455134335));
-        let t81 = fma(t53, 0.0003571574743600769, fma(t47, -0.0044554451455134335, t41 * -0.13841073648711544));
-        let t82 = fma(t47, t80, fma(t41, t81, fma(-coupling_x2, coupling_x2, t34)));
-        let t83 = fma(-t53, t79, t82);
-        let t84 = fma(-t71, t71, t69 * t76);
-        let inverse_determinant = 1.0 / fma(t63, t74, fma(t73, t77, t83 * t84));
-        let t85 = fma(reduced_force_y, 0.0020881186486960903, reduced_force_x * 0.0003571574743600769);
-        let t86 = fma(reduced_force_z, 0.13620443776353558, t85);
-        let t87 = fma(reduced_force_y, 0.15794431005496007, reduced_force_x * 0.0044554451455134335);
-        let t88 = fma(reduced_force_z, 0.0020881186486960903, t87);
-        let t89 = fma(reduced_force_y, 0.0044554451455134335, reduced_force_x * 0.13841073648711544);
-        let t90 = fma(reduced_force_z, 0.0003571574743600769, t89);
-        let t91 = fma(t57, t86, fma(-t51, t88, fma(t45, t90, reduced_moment_z)));
-        let t92 = t74 * inverse_determinant;
-        let t93 = fma(t55, t86, fma(t49, t88, fma(-t43, t90, reduced_moment_y)));
-        let t94 = t77 * inverse_determinant;
-        let t95 = fma(-t53, t86, fma(t47, t88, fma(t41, t90, reduced_moment_x)));
-        let angular_acceleration_x = fma(t91, t92, fma(t93, t94, t95 * (t84 * inverse_determinant)));
-        let t96 = fma(-t83, t71, t63 * t73) * inverse_determinant;
-        let angular_acceleration_y = fma(t93, fma(-t63, t63, t83 * t76) * inverse_determinant, t95 * t94);
-        let angular_acceleration_y = fma(t91, t96, angular_acceleration_y);
-        let angular_acceleration_z = fma(t91, fma(-t73, t73, t83 * t69) * inverse_determinant, fma(t93, t96, t95 * t92));
-        let acceleration_x = fma(-t67, angular_acceleration_y, fma(-t81, angular_acceleration_x, t90));
-        let acceleration_x = fma(-t61, angular_acceleration_z, acceleration_x);
-        let acceleration_y = fma(-t66, angular_acceleration_y, fma(-t80, angular_acceleration_x, t88));
-        let acceleration_y = fma(-t60, angular_acceleration_z, acceleration_y);
-        let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t79, angular_acceleration_x, t86));
-        let acceleration_z = fma(-t59, angular_acceleration_z, acceleration_z);
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        let t52 = fma(t41, 0.028180006971925246, fma(-0.42481972953070996, coupling_x2, t46));
+        let t53 = fma(-0.0021901949832171925, t41, fma(-0.02522646067793359, coupling_x2, t49));
+        let t54 = fma(-0.015330768093777324, t52, t53);
+        let t55 = fma(-0.028180006971925246, t45, fma(0.42481972953070996, coupling_z2, t48));
+        let t56 = fma(t45, 0.0021901949832171925, fma(0.02522646067793359, coupling_z2, t51));
+        let t57 = fma(-0.015330768093777324, t55, t56);
+        let t58 = t57 * -0.13620443776353558;
+        let t59 = 0.15791229759220463 * t55;
+        let t60 = t45 * -0.13828439976734327;
+        let t61 = fma(t52, t59, fma(t41, t60, fma(-coupling_x2, coupling_z2, t38)));
+        let t62 = fma(-t54, t58, t61);
+        let t63 = fma(t43, -0.028180006971925246, fma(-0.42481972953070996, coupling_y2, t47));
+        let t64 = fma(t43, -0.0021901949832171925, fma(0.02522646067793359, coupling_y2, t50));
+        let t65 = fma(0.015330768093777324, t63, t64);
+        let t66 = t65 * -0.13620443776353558;
+        let t67 = t63 * -0.15791229759220463;
+        let t68 = t43 * 0.13828439976734327;
+        let t69 = fma(t52, t67, fma(t41, t68, fma(-coupling_x2, coupling_y2, t39)));
+        let t70 = fma(-t54, t66, t69);
+        let t71 = t70 * 0.09904722110632364;
+        let t72 = fma(t63, t59, fma(-t43, t60, fma(-coupling_y2, coupling_z2, t37)));
+        let t73 = 0.13620443776353558 * t54;
+        let t74 = t52 * -0.15791229759220463;
+        let t75 = t41 * -0.13828439976734327;
+        let t76 = fma(t52, t74, fma(t41, t75, fma(-coupling_x2, coupling_x2, t34)));
+        let t77 = fma(-t54, t73, t76);
+        let t78 = t77 * 0.09904722110632364;
+        let t79 = fma(-t62, t71, fma(t65, t58, t72) * t78);
+        let t80 = fma(t63, t67, fma(-t43, t68, fma(-coupling_y2, coupling_y2, t35)));
+        let t81 = fma(-t70, t71, fma(t65, t66, t80) * t78);
+        let t82 = fma(-t55, t59, fma(t45, t60, fma(-coupling_z2, coupling_z2, t36)));
+        let t83 = fma(-t62, t62 * 0.09904722110632364, fma(t57, t58, t82) * t78);
+        let t84 = 1.0 / t81;
+        let t85 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
+        let t86 = fma(0.015330768093777324, t85, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
+        let t87 = 0.13620443776353558 * t86;
+        let t88 = 0.15791229759220463 * t85;
+        let t89 = reduced_force_x * 0.13828439976734327;
+        let t90 = fma(-t54, t87, fma(t52, t88, fma(t41, t89, reduced_moment_x)));
+        let t91 = 1.0 / t77;
+        let t92 = t70 * t91;
+        let t93 = fma(t65, t87, fma(t63, t88, fma(-t43, t89, reduced_moment_y)));
+        let t94 = fma(-t90, t92, t93);
+        let t95 = t62 * t91;
+        let t96 = fma(t57, t87, fma(-t55, t88, fma(t45, t89, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t79, t79, t81 * t83) * (t78 * t81) * fma(-(t79 * t84), t94, fma(-t90, t95, t96));
+        let angular_acceleration_y = fma(-(t79 * t84), angular_acceleration_z, t78 * t84 * t94);
+        let angular_acceleration_x = fma(-t92, angular_acceleration_y, fma(-t95, angular_acceleration_z, t90 * t91));
+        let acceleration_z = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t87));
+        let acceleration_z = fma(-t58, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t88));
+        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t59, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t68, angular_acceleration_y, fma(-t75, angular_acceleration_x, t89));
+        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t60, angular_acceleration_z, acceleration_x));
+        let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
         let t97 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));

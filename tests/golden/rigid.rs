@@ -185,18 +185,21 @@ const _: () = {
         let reduced_moment_z = moment_z - t6;
 
         // Rigid-body accelerations (24 operations: 18 multiply-add, 6 multiply)
-        let t7 = reduced_force_y * 0.21048663088925407;
-        let t8 = reduced_force_x * 0.21048663088925407;
-        let t9 = fma(-0.26448998962819253, t7, fma(-0.3842708618960716, t8, reduced_moment_z));
-        let t10 = reduced_force_z * 0.21048663088925407;
-        let t11 = fma(0.26448998962819253, t10, fma(-0.06447691727380375, t8, reduced_moment_y));
-        let t12 = fma(0.3842708618960716, t10, fma(0.06447691727380375, t7, reduced_moment_x));
-        let angular_acceleration_x = fma(t9, 0.2457312204336307, fma(t11, 0.017596694310493932, t12 * 2.4363638820827616));
-        let angular_acceleration_y = fma(t9, -0.04630183133452206, fma(t11, 0.6983686492386382, t12 * 0.017596694310493932));
-        let angular_acceleration_z = fma(t9, 0.6660313458250491, fma(t11, -0.04630183133452206, t12 * 0.2457312204336307));
-        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t8));
-        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t7));
-        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t10));
+        let t7 = reduced_force_z * 0.21048663088925407;
+        let t8 = reduced_force_y * 0.21048663088925407;
+        let t9 = fma(0.3842708618960716, t7, fma(0.06447691727380375, t8, reduced_moment_x));
+        let t10 = reduced_force_x * 0.21048663088925407;
+        let t11 = fma(0.26448998962819253, t7, fma(-0.06447691727380375, t10, reduced_moment_y));
+        let t12 = fma(0.04988807123705656, t9, t11);
+        let t13 = fma(-0.26448998962819253, t8, fma(-0.3842708618960716, t10, reduced_moment_z));
+        let t14 = fma(-0.06951899730359606, t12, fma(0.3724166002823658, t9, t13));
+        let angular_acceleration_z = 0.666031345825049 * t14;
+        let angular_acceleration_y = fma(-0.06951899730359606, angular_acceleration_z, 0.695149792350942 * t12);
+        let angular_acceleration_x = fma(0.3724166002823658, angular_acceleration_z, t9 * 2.3439716312463332);
+        let angular_acceleration_x = fma(0.04988807123705656, angular_acceleration_y, angular_acceleration_x);
+        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t10));
+        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t8));
+        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t7));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
@@ -247,18 +250,21 @@ const _: () = {
         let reduced_moment_z = moment_z - t9;
 
         // Rigid-body accelerations (24 operations: 18 multiply-add, 6 multiply)
-        let t10 = reduced_force_y * 0.21048663088925407;
-        let t11 = reduced_force_x * 0.21048663088925407;
-        let t12 = fma(-0.26448998962819253, t10, fma(-0.3842708618960716, t11, reduced_moment_z));
-        let t13 = reduced_force_z * 0.21048663088925407;
-        let t14 = fma(0.26448998962819253, t13, fma(-0.06447691727380375, t11, reduced_moment_y));
-        let t15 = fma(0.3842708618960716, t13, fma(0.06447691727380375, t10, reduced_moment_x));
-        let angular_acceleration_x = fma(t12, 0.2457312204336307, fma(t14, 0.017596694310493932, t15 * 2.4363638820827616));
-        let angular_acceleration_y = fma(t12, -0.04630183133452206, fma(t14, 0.6983686492386382, t15 * 0.017596694310493932));
-        let angular_acceleration_z = fma(t12, 0.6660313458250491, fma(t14, -0.04630183133452206, t15 * 0.2457312204336307));
-        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t11));
-        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t10));
-        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t13));
+        let t10 = reduced_force_z * 0.21048663088925407;
+        let t11 = reduced_force_y * 0.21048663088925407;
+        let t12 = fma(0.3842708618960716, t10, fma(0.06447691727380375, t11, reduced_moment_x));
+        let t13 = reduced_force_x * 0.21048663088925407;
+        let t14 = fma(0.26448998962819253, t10, fma(-0.06447691727380375, t13, reduced_moment_y));
+        let t15 = fma(0.04988807123705656, t12, t14);
+        let t16 = fma(-0.26448998962819253, t11, fma(-0.3842708618960716, t13, reduced_moment_z));
+        let t17 = fma(-0.06951899730359606, t15, fma(0.3724166002823658, t12, t16));
+        let angular_acceleration_z = 0.666031345825049 * t17;
+        let angular_acceleration_y = fma(-0.06951899730359606, angular_acceleration_z, 0.695149792350942 * t15);
+        let angular_acceleration_x = fma(0.3724166002823658, angular_acceleration_z, t12 * 2.3439716312463332);
+        let angular_acceleration_x = fma(0.04988807123705656, angular_acceleration_y, angular_acceleration_x);
+        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t13));
+        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t11));
+        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t10));
 
         (
             [

@@ -8,7 +8,7 @@ use ffrf_cli::lane_body::Bodies;
 use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
-use ffrf_codegen::formulate::{State, inverse_modal_mass};
+use ffrf_codegen::formulate::{ConstantFactors, State};
 use ffrf_codegen::invariants::{Invariant, Structure};
 use ffrf_codegen::lanes::LaneTables;
 use ffrf_codegen::layout::Layout;
@@ -66,42 +66,8 @@ where
 
 /// The tables as the generator arranges them.
 fn tables(graph: &mut Graph, body: &BodyExpressions, scalar: ScalarType) -> LaneTables<Expression> {
-    let modal = inverse_modal_mass(graph, body).unwrap();
-    let translation = translation_compliance(graph, body, &modal);
-    LaneTables::arrange(graph, body, scalar, &modal, translation)
-}
-
-/// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹ by cofactors: xx, yy, zz, xy, xz, yz.
-fn translation_compliance(
-    graph: &mut Graph,
-    body: &BodyExpressions,
-    modal: &[Vec<Expression>],
-) -> [Expression; 6] {
-    let mut left = [[graph.zero(); 3]; 3];
-    for i in 0..3 {
-        for j in 0..3 {
-            let mut terms = Vec::new();
-            for (b, row) in body.modal_first_moment.iter().zip(modal) {
-                for (c, entry) in body.modal_first_moment.iter().zip(row) {
-                    let product = graph.multiply(b[i], c[j]);
-                    terms.push(graph.multiply(product, *entry));
-                }
-            }
-            let carried = graph.sum(terms);
-            let mass = if i == j { body.mass } else { graph.zero() };
-            left[i][j] = graph.subtract(mass, carried);
-        }
-    }
-    let mut cofactor = |i: usize, j: usize| {
-        let [a, b] = [(i + 1) % 3, (i + 2) % 3];
-        let [c, d] = [(j + 1) % 3, (j + 2) % 3];
-        let (plus, minus) = (graph.multiply(left[a][c], left[b][d]), graph.multiply(left[a][d], left[b][c]));
-        graph.subtract(plus, minus)
-    };
-    let cofactors = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| cofactor(i, j));
-    let products = [(0, 0), (1, 3), (2, 4)].map(|(j, k)| graph.multiply(left[0][j], cofactors[k]));
-    let determinant = graph.sum(products);
-    cofactors.map(|cofactor| graph.divide(cofactor, determinant))
+    let factors = ConstantFactors::new(graph, body).unwrap();
+    LaneTables::arrange(graph, body, scalar, &factors)
 }
 
 /// Invariants read from fields at run time: the general layout with Θ_ff identity or diagonal, full fidelity.

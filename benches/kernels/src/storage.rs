@@ -3,7 +3,9 @@
 use std::hint::black_box;
 
 use ffrf::nalgebra::SVector;
-use ffrf_runtime::lanes::{FullTable, HalfTable, LaneBody, ModalMatrix, MomentTable};
+use ffrf_runtime::lanes::{
+    Factors, FullTable, HalfTable, LaneBody, ModalFactors, ModalMatrix, MomentTable,
+};
 
 use crate::columns::States;
 use crate::timing::Column;
@@ -15,12 +17,13 @@ fn body<const M: usize, const G: usize, P>(moments: P) -> LaneBody<'static, f64,
         first_moment: Some([0.1, 0.2, 0.3]),
         modal_first_moment: Some(Box::leak(Box::new([[[0.01; 4]; 3]; G]))),
         inertia: [50.0, 60.0, 70.0, 1.0, 2.0, 3.0],
-        translation_compliance: [0.3, 0.3, 0.3, 0.01, 0.02, 0.03],
+        translation_factors: Factors { inverse_pivots: [0.3; 3], lower: Some([0.01, 0.02, 0.03]) },
+        eliminated_first_moment: Some(Box::leak(Box::new([[[0.01; 4]; 3]; G]))),
         position_mode_even: Some(Box::leak(Box::new([[[0.02; 4]; 6]; G]))),
         position_mode_odd: Some(Box::leak(Box::new([[[0.03; 4]; 3]; G]))),
         trace: ModalMatrix::Identity,
         modal_mass: ModalMatrix::Identity,
-        modal_compliance: ModalMatrix::Identity,
+        modal_factors: ModalFactors::Identity,
         stiffness: ModalMatrix::Diagonal(Box::leak(Box::new([[40.0; 4]; G]))),
         damping: ModalMatrix::Zero,
         moments,

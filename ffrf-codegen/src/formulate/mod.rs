@@ -4,8 +4,9 @@
 //! proven by comparing them, as polynomials, with [`crate::derive`]. [`KERNELS`] is the table of them all; [`Jacobian`]
 //! differentiates them.
 
+mod constant_factors;
 mod draft;
-mod inverse;
+mod factors;
 mod jacobian;
 mod kernel;
 pub mod kernels;
@@ -17,11 +18,12 @@ mod solve;
 mod state;
 mod structured;
 
+pub use constant_factors::ConstantFactors;
 pub use draft::Draft;
 pub use jacobian::{Jacobian, Variable};
 pub use kernel::Kernel;
 pub use kernels::{Definition, Interface, JACOBIANS, KERNELS, Loop};
-pub use modal_mass::inverse_modal_mass;
+pub use modal_mass::ModalFactors;
 pub use observables::{
     angular_momentum, elastic_energy, gravity_force, internal_force, kinetic_energy, linear_momentum,
 };

@@ -13,8 +13,17 @@ pub(super) enum ModalMass {
     Identity,
     /// 1 / Θ_ff,μμ
     Diagonal(Vec<Expression>),
-    /// Θ_ff = L Lᵀ, with the inverse of L's diagonal apart.
-    Cholesky { lower: Vec<Vec<Expression>>, inverse_diagonal: Vec<Expression> },
+    /// Θ_ff = L D Lᵀ.
+    Factors(ModalFactors),
+}
+
+/// Θ_ff = L D Lᵀ with ones on the diagonal of L.
+#[derive(Debug, Clone)]
+pub struct ModalFactors {
+    /// L below its diagonal: row μ has μ entries.
+    pub lower: Vec<Vec<Expression>>,
+    /// 1 / D. Shape: M.
+    pub inverse_pivots: Vec<Expression>,
 }
 
 /// A vector x over the modes with a partner x' such that xᵀ Θ_ff⁻¹ y = x'·y'' for prepared x and y.
@@ -39,27 +48,8 @@ impl ModalMass {
                 }
                 Ok(Self::Diagonal(inverse))
             }
-            _ => Self::cholesky(graph, mass),
+            _ => ModalFactors::new(graph, body).map(Self::Factors),
         }
-    }
-
-    fn cholesky(graph: &mut Graph, mass: &[Vec<Expression>]) -> Result<Self, CodegenError> {
-        let one = graph.one();
-        let mut lower: Vec<Vec<Expression>> = Vec::with_capacity(mass.len());
-        let mut inverse_diagonal = Vec::with_capacity(mass.len());
-        for i in 0..mass.len() {
-            let mut row = Vec::with_capacity(i);
-            for j in 0..i {
-                let sum = minus_products(graph, mass[i][j], (0..j).map(|k| (row[k], lower[j][k])));
-                row.push(graph.multiply(sum, inverse_diagonal[j]));
-            }
-            let pivot = minus_products(graph, mass[i][i], row.iter().map(|&entry| (entry, entry)));
-            check_pivot(graph, i, pivot, mass[i][i])?;
-            let root = graph.square_root(pivot);
-            inverse_diagonal.push(graph.divide(one, root));
-            lower.push(row);
-        }
-        Ok(Self::Cholesky { lower, inverse_diagonal })
     }
 
     /// Prepares a vector over the modes for products and for the elimination.
@@ -70,14 +60,10 @@ impl ModalMass {
                 left: vector.iter().zip(inverse).map(|(&x, &w)| graph.multiply(w, x)).collect(),
                 right: vector.to_vec(),
             },
-            Self::Cholesky { lower, inverse_diagonal } => {
-                let mut solved: Vec<Expression> = Vec::with_capacity(vector.len());
-                for i in 0..vector.len() {
-                    let terms = (0..i).map(|k| (lower[i][k], solved[k]));
-                    let sum = minus_products(graph, vector[i], terms);
-                    solved.push(graph.multiply(sum, inverse_diagonal[i]));
-                }
-                Prepared { left: solved.clone(), right: solved }
+            Self::Factors(factors) => {
+                let right = factors.forward(graph, vector);
+                let weights = right.iter().zip(&factors.inverse_pivots);
+                Prepared { left: weights.map(|(&x, &w)| graph.multiply(w, x)).collect(), right }
             }
         }
     }
@@ -94,14 +80,55 @@ impl ModalMass {
             let terms = corrections.iter().map(|(prepared, factor)| (prepared.left[mu], *factor));
             result.push(minus_products(graph, vector.left[mu], terms));
         }
-        if let Self::Cholesky { lower, inverse_diagonal } = self {
-            for i in (0..result.len()).rev() {
-                let terms = (i + 1..result.len()).map(|k| (lower[k][i], result[k]));
-                let sum = minus_products(graph, result[i], terms);
-                result[i] = graph.multiply(sum, inverse_diagonal[i]);
-            }
+        match self {
+            Self::Factors(factors) => factors.backward(graph, result),
+            _ => result,
         }
-        result
+    }
+}
+
+impl ModalFactors {
+    /// The factors of Θ_ff, whatever its structure.
+    ///
+    /// Errors: [`CodegenError::RepeatedModes`] if Θ_ff is a constant that is not positive definite.
+    pub fn new(graph: &mut Graph, body: &BodyExpressions) -> Result<Self, CodegenError> {
+        let (mass, one) = (&body.modal_mass, graph.one());
+        let mut lower: Vec<Vec<Expression>> = Vec::with_capacity(mass.len());
+        let mut inverse_pivots: Vec<Expression> = Vec::with_capacity(mass.len());
+        for i in 0..mass.len() {
+            // L_ij D_j, then L_ij.
+            let mut whole: Vec<Expression> = Vec::with_capacity(i);
+            let mut row: Vec<Expression> = Vec::with_capacity(i);
+            for j in 0..i {
+                let rest = minus_products(graph, mass[i][j], (0..j).map(|k| (whole[k], lower[j][k])));
+                row.push(graph.multiply(rest, inverse_pivots[j]));
+                whole.push(rest);
+            }
+            let pivot = minus_products(graph, mass[i][i], (0..i).map(|k| (whole[k], row[k])));
+            check_pivot(graph, i, pivot, mass[i][i])?;
+            inverse_pivots.push(graph.divide(one, pivot));
+            lower.push(row);
+        }
+        Ok(Self { lower, inverse_pivots })
+    }
+
+    /// L⁻¹ v
+    pub fn forward(&self, graph: &mut Graph, vector: &[Expression]) -> Vec<Expression> {
+        let mut solved: Vec<Expression> = Vec::with_capacity(vector.len());
+        for (row, &entry) in self.lower.iter().zip(vector) {
+            let terms = row.iter().zip(&solved).map(|(&factor, &known)| (factor, known));
+            solved.push(minus_products(graph, entry, terms));
+        }
+        solved
+    }
+
+    /// L⁻ᵀ v
+    fn backward(&self, graph: &mut Graph, mut vector: Vec<Expression>) -> Vec<Expression> {
+        for i in (0..vector.len()).rev() {
+            let terms = (i + 1..vector.len()).map(|k| (self.lower[k][i], vector[k]));
+            vector[i] = minus_products(graph, vector[i], terms);
+        }
+        vector
     }
 }
 
@@ -111,26 +138,6 @@ impl Prepared {
         let terms = self.left.iter().zip(&other.right).map(|(&x, &y)| (x, y));
         minus_products(graph, start, terms)
     }
-}
-
-/// Θ_ff⁻¹. Shape: M x M.
-///
-/// Errors: [`CodegenError::RepeatedModes`].
-pub fn inverse_modal_mass(
-    graph: &mut Graph,
-    body: &BodyExpressions,
-) -> Result<Vec<Vec<Expression>>, CodegenError> {
-    let modes = body.mode_count();
-    let mass = ModalMass::new(graph, body)?;
-    let (zero, one) = (graph.zero(), graph.one());
-    let columns = (0..modes)
-        .map(|mu| {
-            let unit: Vec<Expression> = (0..modes).map(|nu| if nu == mu { one } else { zero }).collect();
-            let prepared = mass.prepare(graph, &unit);
-            mass.solve(graph, &prepared, &[])
-        })
-        .collect();
-    Ok(columns)
 }
 
 fn check_pivot(graph: &Graph, mode: usize, pivot: Expression, entry: Expression) -> Result<(), CodegenError> {

@@ -1,18 +1,20 @@
 //! Forward dynamics: modal accelerations eliminated first, then a 6 x 6 system in 3 x 3 blocks.
 
-use super::inverse::{inverse_by_cofactors, inverse_by_factors};
+use super::factors::Factors;
 use super::modal_mass::{ModalMass, Prepared, minus_products};
 use super::pivot::{BadPivot, bad_pivot};
 use super::structured::label3;
 use super::{DeformedBody, Draft, State, internal_force};
 use crate::CodegenError;
 use crate::body::BodyExpressions;
-use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3, symmetric_times};
+use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3};
 
 /// Accelerations [α; ω̇; q̈] under `state.force`, with the quadratic velocity vector at hand.
 ///
-/// With w = Θ_ff⁻¹: the reduced mass is m I - m² B w Bᵀ, constant, so that its inverse costs nothing
-/// where the invariants are constants; the mass matrix itself is never formed.
+/// M = L D Lᵀ in the order modes, translation, rotation, with what is constant of L and D folded when the code is
+/// generated: Θ_ff, and what the modes leave of the mass, m I - m B Θ_ff⁻¹ (m B)ᵀ. The mass matrix itself is never
+/// formed. Nothing is multiplied by an inverse, so that accelerations are as accurate as those of a Cholesky
+/// factorisation of the mass matrix, see [`Factors`].
 ///
 /// Errors: [`CodegenError::RepeatedModes`] or [`CodegenError::DependentModes`] if Θ_ff or the reduced mass is a constant
 /// that is not positive definite.
@@ -58,13 +60,17 @@ pub fn forward_dynamics(
     label3(graph, moment, "reduced_moment");
 
     graph.section("Rigid-body accelerations");
-    let (inverse_mass, pivots) = inverse_by_factors(graph, &translation_mass);
+    let (mass, pivots) = Factors::new(graph, &translation_mass);
     check_pivots(graph, pivots, body.mass)?;
-    let column = |j: usize| [0, 1, 2].map(|i: usize| coupling[i][j]);
-    let shift = [0, 1, 2].map(|j| symmetric_times(graph, &inverse_mass, column(j)));
-    let drift = symmetric_times(graph, &inverse_mass, force);
+    let columns = [0, 1, 2].map(|j| {
+        let column = [0, 1, 2].map(|i: usize| coupling[i][j]);
+        mass.forward(graph, column)
+    });
+    let shift = columns.map(|column| mass.weigh(graph, column));
+    let force = mass.forward(graph, force);
+    let drift = mass.weigh(graph, force);
     let schur = |graph: &mut Graph, start: Expression, i: usize, other: Vector| {
-        let terms = (0..3).map(|k| (coupling[k][i], other[k]));
+        let terms = (0..3).map(|k| (columns[i][k], other[k]));
         minus_products(graph, start, terms)
     };
     let remaining = Symmetric3 {
@@ -73,13 +79,15 @@ pub fn forward_dynamics(
             .map(|(i, j)| schur(graph, rotation_mass.at(i, j), i, shift[j])),
     };
     let remaining_moment = [0, 1, 2].map(|i| schur(graph, moment[i], i, drift));
-    let inverse = inverse_by_cofactors(graph, &remaining);
-    let angular = symmetric_times(graph, &inverse, remaining_moment);
+    let scale = scale(graph, &body.inertia);
+    let inertia = Factors::with_divisions_deferred(graph, &remaining, scale);
+    let angular = inertia.solve(graph, remaining_moment);
     label3(graph, angular, "angular_acceleration");
     let linear = [0, 1, 2].map(|i| {
         let terms = (0..3).map(|j| (shift[j][i], angular[j]));
         minus_products(graph, drift[i], terms)
     });
+    let linear = mass.backward(graph, linear);
     label3(graph, linear, "acceleration");
 
     graph.section("Modal accelerations");
@@ -102,8 +110,15 @@ fn reduced(
     }
 }
 
+/// One over the size of the moments of inertia, for [`Factors::with_divisions_deferred`].
+fn scale(graph: &mut Graph, inertia: &Symmetric3) -> Expression {
+    let one = graph.one();
+    let trace = graph.sum(inertia.diagonal);
+    if graph.is_zero(trace) { one } else { graph.divide(one, trace) }
+}
+
 /// A constant reduced mass must be positive, by more than round-off of the mass.
-fn check_pivots(graph: &Graph, pivots: Vector, mass: Expression) -> Result<(), CodegenError> {
+pub(super) fn check_pivots(graph: &Graph, pivots: Vector, mass: Expression) -> Result<(), CodegenError> {
     for (pivot, &expression) in pivots.iter().enumerate() {
         if let Some(BadPivot { found, .. }) = bad_pivot(graph, expression, mass) {
             return Err(CodegenError::DependentModes { pivot, found });

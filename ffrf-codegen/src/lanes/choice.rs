@@ -3,12 +3,11 @@
 use ffrf_model::ReducedBody;
 
 use super::LaneTables;
-use super::compliance::translation_compliance;
 use super::parameters::{self, LaneParameters};
 use super::strategy::in_lanes;
 use crate::body::BodyExpressions;
 use crate::expression::Graph;
-use crate::formulate::inverse_modal_mass;
+use crate::formulate::ConstantFactors;
 use crate::layout::Layout;
 use crate::prepare::prepare;
 use crate::{CodegenError, GenerateOptions, ScalarType};
@@ -88,7 +87,6 @@ fn tables(
     body: &BodyExpressions,
     options: &GenerateOptions,
 ) -> Result<LaneTables, CodegenError> {
-    let modal = inverse_modal_mass(graph, body)?;
-    let translation = translation_compliance(graph, body, &modal)?.map(|entry| graph.constant(entry));
-    Ok(LaneTables::arrange(graph, body, options.scalar, &modal, translation).numbers(graph))
+    let factors = ConstantFactors::new(graph, body)?;
+    Ok(LaneTables::arrange(graph, body, options.scalar, &factors).numbers(graph))
 }

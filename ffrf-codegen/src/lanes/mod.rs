@@ -6,7 +6,6 @@
 //! ```
 
 mod choice;
-mod compliance;
 mod moment_tables;
 mod parameters;
 mod strategy;
@@ -17,5 +16,5 @@ pub(crate) use choice::Lanes;
 pub use choice::tables_of;
 pub use moment_tables::MomentTables;
 pub(crate) use parameters::LaneParameters;
-pub use table::{ModalMatrix, Table};
+pub use table::{ModalFactors, ModalMatrix, Table};
 pub use tables::LaneTables;

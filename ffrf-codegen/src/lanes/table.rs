@@ -70,6 +70,35 @@ impl ModalMatrix<Expression> {
     }
 }
 
+/// Θ_ff = L D Lᵀ with ones on the diagonal of L.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ModalFactors<V = f64> {
+    /// Θ_ff = I.
+    Identity,
+    /// L = I, and 1 / D. Shape: groups, lanes (4).
+    Diagonal(Table<V>),
+    /// A dense Θ_ff.
+    Triangular {
+        /// 1 / D. Shape: groups, lanes (4).
+        inverse_pivots: Table<V>,
+        /// L + Lᵀ without its diagonal. Shape: groups, modes ν, lanes (4) over μ.
+        lower: Table<V>,
+    },
+}
+
+impl ModalFactors<Expression> {
+    pub(super) fn numbers(&self, graph: &Graph) -> ModalFactors {
+        match self {
+            Self::Identity => ModalFactors::Identity,
+            Self::Diagonal(entries) => ModalFactors::Diagonal(entries.numbers(graph)),
+            Self::Triangular { inverse_pivots, lower } => ModalFactors::Triangular {
+                inverse_pivots: inverse_pivots.numbers(graph),
+                lower: lower.numbers(graph),
+            },
+        }
+    }
+}
+
 /// The value of a constant; of anything else, which generated tables do not hold, not a number.
 pub(super) fn number(graph: &Graph, expression: Expression) -> f64 {
     graph.constant_value(expression).unwrap_or(f64::NAN)

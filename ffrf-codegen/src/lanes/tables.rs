@@ -1,10 +1,11 @@
 //! The invariants of a body in the layout of vector registers, padded with zero.
 
 use super::table::number;
-use super::{ModalMatrix, MomentTables, Table};
+use super::{ModalFactors, ModalMatrix, MomentTables, Table};
 use crate::ScalarType;
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph};
+use crate::formulate::ConstantFactors;
 
 /// The numbers of a body whose kernels are loops over lanes, as the generated `static` holds them.
 ///
@@ -24,8 +25,12 @@ pub struct LaneTables<V = f64> {
     pub modal_first_moment: Option<Table<V>>,
     /// Inertia tensor: xx, yy, zz, xy, xz, yz. Units: kg m².
     pub inertia: [V; 6],
-    /// Inverse of the mass left for translation: xx, yy, zz, xy, xz, yz. Units: 1/kg.
-    pub translation_compliance: [V; 6],
+    /// One over the pivots of the mass left for translation, m I - m B Θ_ff⁻¹ (m B)ᵀ. Shape: 3. Units: 1/kg.
+    pub translation_inverse_pivots: [V; 3],
+    /// Its factor below the diagonal of ones: yx, zx, zy.
+    pub translation_lower: Option<[V; 3]>,
+    /// L⁻¹ (m B)ᵀ with the L of Θ_ff. Shape: groups, axes (3), lanes (4).
+    pub eliminated_first_moment: Option<Table<V>>,
     /// tr T_μ, then yy, zz, xy + yx, xz + zx, yz + zy of T_μ. Shape: groups, components (6), lanes (4).
     pub position_mode_even: Option<Table<V>>,
     /// ϑ_μ. Shape: groups, axes (3), lanes (4).
@@ -34,8 +39,8 @@ pub struct LaneTables<V = f64> {
     pub trace: ModalMatrix<V>,
     /// Θ_ff.
     pub modal_mass: ModalMatrix<V>,
-    /// Θ_ff⁻¹.
-    pub modal_compliance: ModalMatrix<V>,
+    /// Θ_ff in factors.
+    pub modal_factors: ModalFactors<V>,
     /// K_ff.
     pub stiffness: ModalMatrix<V>,
     /// D_ff.
@@ -47,15 +52,12 @@ pub struct LaneTables<V = f64> {
 impl LaneTables<Expression> {
     /// The tables of a body, as expressions of `graph`.
     ///
-    /// The scalar type decides how the moments are stored. `modal_compliance` is Θ_ff⁻¹, see
-    /// [`inverse_modal_mass`](crate::formulate::inverse_modal_mass); `translation_compliance` is the inverse of the mass left for
-    /// translation, m I - m B Θ_ff⁻¹ (m B)ᵀ, as xx, yy, zz, xy, xz, yz.
+    /// The scalar type decides how the moments are stored.
     pub fn arrange(
         graph: &mut Graph,
         body: &BodyExpressions,
         scalar: ScalarType,
-        modal_compliance: &[Vec<Expression>],
-        translation_compliance: [Expression; 6],
+        factors: &ConstantFactors,
     ) -> Self {
         let modes = body.mode_count();
         let arrange = Arrangement { zero: graph.zero(), graph };
@@ -84,12 +86,14 @@ impl LaneTables<Expression> {
             first_moment: Some(body.first_moment).filter(|moment| !arrange.is_zero(moment)),
             modal_first_moment: arrange.in_lanes(groups, &body.modal_first_moment),
             inertia: [xx, yy, zz, xy, xz, yz],
-            translation_compliance,
+            translation_inverse_pivots: factors.translation_inverse_pivots,
+            translation_lower: Some(factors.translation_lower).filter(|lower| !arrange.is_zero(lower)),
+            eliminated_first_moment: arrange.in_lanes(groups, &factors.first_moment),
             position_mode_even: arrange.in_lanes(groups, &even),
             position_mode_odd: arrange.in_lanes(groups, &odd),
             trace: arrange.matrix(groups, &trace),
             modal_mass: arrange.matrix(groups, &body.modal_mass),
-            modal_compliance: arrange.matrix(groups, modal_compliance),
+            modal_factors: arrange.factors(groups, factors),
             stiffness: arrange.matrix(groups, &body.stiffness),
             damping: arrange.matrix(groups, &body.damping),
             moments,
@@ -106,12 +110,14 @@ impl LaneTables<Expression> {
             first_moment: self.first_moment.map(|moment| moment.map(|entry| number(graph, entry))),
             modal_first_moment: table(&self.modal_first_moment),
             inertia: self.inertia.map(|entry| number(graph, entry)),
-            translation_compliance: self.translation_compliance.map(|entry| number(graph, entry)),
+            translation_inverse_pivots: self.translation_inverse_pivots.map(|entry| number(graph, entry)),
+            translation_lower: self.translation_lower.map(|lower| lower.map(|entry| number(graph, entry))),
+            eliminated_first_moment: table(&self.eliminated_first_moment),
             position_mode_even: table(&self.position_mode_even),
             position_mode_odd: table(&self.position_mode_odd),
             trace: self.trace.numbers(graph),
             modal_mass: self.modal_mass.numbers(graph),
-            modal_compliance: self.modal_compliance.numbers(graph),
+            modal_factors: self.modal_factors.numbers(graph),
             stiffness: self.stiffness.numbers(graph),
             damping: self.damping.numbers(graph),
             moments: self.moments.numbers(graph),
@@ -163,8 +169,30 @@ impl Arrangement<'_> {
         } else if entries.iter().all(|entry| self.graph.constant_value(*entry) == Some(1.0)) {
             ModalMatrix::Identity
         } else {
-            let at = |[group, lane]: [usize; 2]| entries.get(4 * group + lane).copied().unwrap_or(self.zero);
-            ModalMatrix::Diagonal(Table::new([groups, 4], at))
+            ModalMatrix::Diagonal(self.list(groups, &entries))
+        }
+    }
+
+    /// One entry per mode. Shape: groups, lanes (4).
+    fn list(&self, groups: usize, entries: &[Expression]) -> Table<Expression> {
+        let at = |[group, lane]: [usize; 2]| entries.get(4 * group + lane).copied().unwrap_or(self.zero);
+        Table::new([groups, 4], at)
+    }
+
+    fn factors(&self, groups: usize, factors: &ConstantFactors) -> ModalFactors<Expression> {
+        let (rows, inverse_pivots) = (&factors.modal.lower, &factors.modal.inverse_pivots);
+        if rows.iter().any(|row| !self.is_zero(row)) {
+            let at = |[group, nu, lane]: [usize; 3]| {
+                let mu = 4 * group + lane;
+                let row = rows.get(mu.max(nu));
+                row.and_then(|row| row.get(mu.min(nu))).copied().unwrap_or(self.zero)
+            };
+            let lower = Table::new([groups, rows.len(), 4], at);
+            ModalFactors::Triangular { inverse_pivots: self.list(groups, inverse_pivots), lower }
+        } else if inverse_pivots.iter().all(|entry| self.graph.constant_value(*entry) == Some(1.0)) {
+            ModalFactors::Identity
+        } else {
+            ModalFactors::Diagonal(self.list(groups, inverse_pivots))
         }
     }
 }

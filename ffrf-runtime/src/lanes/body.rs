@@ -1,5 +1,7 @@
 //! The constant numbers of a body, in lanes.
 
+use super::{Factors, ModalFactors};
+
 /// A symmetric matrix over the modes, in groups of four; `C` is the type of the constants.
 #[derive(Debug, Clone, Copy)]
 pub enum ModalMatrix<'a, C, const M: usize, const G: usize> {
@@ -28,8 +30,10 @@ pub struct LaneBody<'a, C, const M: usize, const G: usize, P> {
     pub modal_first_moment: Option<&'a [[[C; 4]; 3]; G]>,
     /// Inertia tensor Θ: xx, yy, zz, xy, xz, yz. Units: kg m².
     pub inertia: [C; 6],
-    /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹: xx, yy, zz, xy, xz, yz. Units: 1/kg.
-    pub translation_compliance: [C; 6],
+    /// The mass that the modes leave for translation, m I - m B Θ_ff⁻¹ (m B)ᵀ. Units of the pivots: kg.
+    pub translation_factors: Factors<C>,
+    /// L⁻¹ (m B)ᵀ with the L of [`LaneBody::modal_factors`]. Shape: groups of 3 registers.
+    pub eliminated_first_moment: Option<&'a [[[C; 4]; 3]; G]>,
     /// tr T_μ, then yy, zz, xy + yx, xz + zx, yz + zy of T_μ. Shape: groups of 6 registers.
     pub position_mode_even: Option<&'a [[[C; 4]; 6]; G]>,
     /// ϑ_μ. Shape: groups of 3 registers.
@@ -38,8 +42,8 @@ pub struct LaneBody<'a, C, const M: usize, const G: usize, P> {
     pub trace: ModalMatrix<'a, C, M, G>,
     /// Θ_ff.
     pub modal_mass: ModalMatrix<'a, C, M, G>,
-    /// Θ_ff⁻¹.
-    pub modal_compliance: ModalMatrix<'a, C, M, G>,
+    /// Θ_ff in factors.
+    pub modal_factors: ModalFactors<'a, C, M, G>,
     /// K_ff; zero if elastic forces are subtracted from `force` by the caller.
     pub stiffness: ModalMatrix<'a, C, M, G>,
     /// D_ff in the same way.

@@ -1,9 +1,9 @@
 //! The kernels with accelerations: modes eliminated first, then translation, then rotation.
 
 use super::equations::{State, accumulate, sums};
-use super::rigid::{dot, inverse, subtract, times};
+use super::rigid::{dot, subtract};
 use super::scalar::{Register, four, grouped, groups, stored, ungroup};
-use super::{LaneBody, Lanes, Scalar};
+use super::{Factors, LaneBody, Lanes, ModalFactors, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Mass matrix M(q), columns of N = 6 + M entries. Source: (203).
@@ -58,7 +58,8 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Accelerations [α; ω̇; q̈] under `force`, from which the caller subtracts the elastic and damping
     /// forces that are not in [`LaneBody::stiffness`] and [`LaneBody::damping`].
     ///
-    /// M⁻¹ (force - Q): q̈ and α by constant matrices, ω̇ by a 3 x 3 inverse.
+    /// M⁻¹ (force - Q) by factors M = L D Lᵀ in the order modes, translation, rotation; those of modes and translation
+    /// are constant. Nothing is multiplied by an inverse: as accurate as a Cholesky factorisation of M.
     #[inline(always)]
     pub fn forward_dynamics<T: Scalar<Constant = C>, const N: usize>(
         &self,
@@ -93,13 +94,23 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             modal[g] = self.stiffness.subtract_product::<T>(g, q[g], &coordinates, modal[g]);
             modal[g] = self.damping.subtract_product::<T>(g, q_dot[g], &rates, modal[g]);
         }
-        let net = stored::<T, G>(&modal);
+        // L⁻¹ Θ_rfᵀ and L⁻¹ f, where L is not the identity.
+        let substituted;
+        let mut coupling = &state.modal.odd;
+        if let ModalFactors::Triangular { .. } = self.modal_factors {
+            let [x, y, z] = state.modal.odd;
+            let mut vectors = [x, y, z, stored::<T, G>(&modal)];
+            self.modal_factors.forward(&mut vectors);
+            let [x, y, z, net] = vectors;
+            substituted = [x, y, z];
+            coupling = &substituted;
+            modal = net.each_ref().map(Lanes::load);
+        }
         for g in 0..G {
-            let rows = state.coupling(g);
+            let rows = [0, 1, 2].map(|axis| Register::<T>::load(&coupling[axis][g]));
             let [row_x, row_y, row_z] = rows;
-            let [x, y, z] = &state.modal.odd;
             let [weighted_x, weighted_y, weighted_z, free] =
-                self.modal_compliance.products::<T, 4>(g, [row_x, row_y, row_z, modal[g]], [x, y, z, &net]);
+                self.modal_factors.weigh::<T, 4>(g, [row_x, row_y, row_z, modal[g]]);
             let weighted = [weighted_x, weighted_y, weighted_z];
             // Θ_rf Θ_ff⁻¹ Θ_rfᵀ and Θ_rf Θ_ff⁻¹ f
             for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
@@ -109,7 +120,7 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
                 shared[6 + i] = accumulate::<T, G>(g, rows[i], free, shared[6 + i]);
             }
             // m B Θ_ff⁻¹ Θ_rfᵀ and m B Θ_ff⁻¹ f
-            if let Some(moments) = self.modal_first_moment {
+            if let Some(moments) = self.eliminated_first_moment {
                 for i in 0..3 {
                     let moment = four::<T>(&moments[g][i]);
                     for j in 0..3 {
@@ -125,11 +136,13 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
         let mut schur = subtract(state.inertia, [s0, s1, s2, s3, s4, s5]);
         let mut translation = [0, 1, 2].map(|i| force[i] - state.translation[i]);
 
-        let compliance = self.translation_compliance.map(T::constant);
+        let mass = self.translation_factors.map(T::constant);
+        let [xx, yy, zz, ..] = self.inertia.map(T::constant);
+        let scale = T::one() / (xx + yy + zz);
         let angular;
         if self.first_moment.is_none() && self.modal_first_moment.is_none() {
-            translation = times(compliance, translation);
-            angular = times(inverse(schur), rotation);
+            translation = mass.weigh(translation);
+            angular = Factors::new(schur, scale).solve(rotation);
         } else {
             // Columns of -m r̃ - m B Θ_ff⁻¹ Θ_rfᵀ.
             let [x, y, z] = state.first_moment;
@@ -143,34 +156,39 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
                 columns = [[-c0, -z - c3, y - c6], [z - c1, -c4, -x - c7], [-y - c2, x - c5, -c8]];
                 translation = subtract(translation, [f0, f1, f2]);
             }
-            let moved = columns.map(|column| times(compliance, column));
-            translation = times(compliance, translation);
+            let columns = columns.map(|column| mass.forward(column));
+            let moved = columns.map(|column| mass.weigh(column));
+            translation = mass.weigh(mass.forward(translation));
             for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
                 schur[k] -= dot(columns[i], moved[j]);
             }
             for axis in 0..3 {
                 rotation[axis] -= dot(columns[axis], translation);
             }
-            angular = times(inverse(schur), rotation);
+            angular = Factors::new(schur, scale).solve(rotation);
             for axis in 0..3 {
                 translation[axis] -= dot([moved[0][axis], moved[1][axis], moved[2][axis]], angular);
             }
+            translation = mass.backward(translation);
         }
 
         let (along, about) = (translation.map(Register::<T>::splat), angular.map(Register::<T>::splat));
         for g in 0..G {
-            let rows = state.coupling(g);
             for axis in 0..3 {
-                modal[g] = rows[axis].subtract_from(about[axis], modal[g]);
-                if let Some(moments) = self.modal_first_moment {
+                let row = Register::<T>::load(&coupling[axis][g]);
+                modal[g] = row.subtract_from(about[axis], modal[g]);
+                if let Some(moments) = self.eliminated_first_moment {
                     modal[g] = four::<T>(&moments[g][axis]).subtract_from(along[axis], modal[g]);
                 }
             }
+            let [weighted] = self.modal_factors.weigh::<T, 1>(g, [modal[g]]);
+            modal[g] = weighted;
         }
-        let rest = stored::<T, G>(&modal);
-        for g in 0..G {
-            let [accelerations] = self.modal_compliance.products::<T, 1>(g, [modal[g]], [&rest]);
-            modal[g] = accelerations;
+        if let ModalFactors::Triangular { .. } = self.modal_factors {
+            let mut vectors = [stored::<T, G>(&modal)];
+            self.modal_factors.backward(&mut vectors);
+            let [accelerations] = vectors;
+            modal = accelerations.each_ref().map(Lanes::load);
         }
         write(translation, angular, |g| modal[g].store(), entries);
     }

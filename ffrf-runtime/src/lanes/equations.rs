@@ -38,12 +38,6 @@ impl<T: Scalar, const G: usize> State<T, G> {
             rotation: zero,
         }
     }
-
-    /// Θ_rf(q) of one group of modes, in lanes. Shape: 3 rows.
-    #[inline(always)]
-    pub(super) fn coupling(&self, group: usize) -> [Register<T>; 3] {
-        [0, 1, 2].map(|axis| Register::<T>::load(&self.modal.odd[axis][group]))
-    }
 }
 
 /// `sum + left * right`; a zero sum of the first of few groups is left out, which the compiler may not do itself.

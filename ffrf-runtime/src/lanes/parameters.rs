@@ -5,8 +5,7 @@
 use core::marker::PhantomData;
 
 use super::moment_structure::{MomentComponents, MomentStructure};
-use super::rigid::inverse;
-use super::{LaneBody, ModalMatrix, MomentTable, Moments, Scalar};
+use super::{Factors, LaneBody, ModalFactors, ModalMatrix, MomentTable, Moments, Scalar};
 
 /// A diagonal matrix over the modes that is known when compiling or when running.
 #[derive(Debug, Clone, Copy)]
@@ -37,6 +36,15 @@ impl<C, const G: usize> ParameterDiagonal<[[C; 4]; G]> {
             Self::Zero => ModalMatrix::Zero,
             Self::Identity => ModalMatrix::Identity,
             Self::Entries(entries) => ModalMatrix::Diagonal(entries),
+        }
+    }
+
+    /// These entries as 1 / D.
+    #[inline(always)]
+    fn factors<const M: usize>(&self) -> ModalFactors<'_, C, M, G> {
+        match self {
+            Self::Zero | Self::Identity => ModalFactors::Identity,
+            Self::Entries(entries) => ModalFactors::Diagonal(entries),
         }
     }
 }
@@ -72,11 +80,11 @@ pub struct ParameterTables<C, const M: usize, const G: usize> {
     first_moment: Option<[C; 3]>,
     modal_first_moment: Option<[[[C; 4]; 3]; G]>,
     inertia: [C; 6],
-    translation_compliance: [C; 6],
+    translation_factors: Factors<C>,
     position_mode_even: Option<[[[C; 4]; 6]; G]>,
     position_mode_odd: Option<[[[C; 4]; 3]; G]>,
     modal_mass: ParameterDiagonal<[[C; 4]; G]>,
-    modal_compliance: ParameterDiagonal<[[C; 4]; G]>,
+    inverse_modal_mass: ParameterDiagonal<[[C; 4]; G]>,
     has_trace: bool,
     stiffness: ParameterDiagonal<[[C; 4]; G]>,
     damping: ParameterDiagonal<[[C; 4]; G]>,
@@ -112,17 +120,17 @@ fn diagonal_in_lanes<C: Scalar, const M: usize, const G: usize>(
 }
 
 impl<C: Scalar, const M: usize> Parameters<C, M> {
-    /// The tables. Θ_ff and the mass left for translation are inverted here, once a call.
+    /// The tables. Θ_ff and the mass left for translation are factorised here, once a call.
     #[inline(always)]
     pub fn tables<const G: usize>(self) -> ParameterTables<C, M, G> {
         const { assert!(4 * G >= M) };
-        let modal_compliance = self.modal_mass.map(|entries| entries.map(|mass| C::one() / mass));
+        let inverse_modal_mass = self.modal_mass.map(|entries| entries.map(|mass| C::one() / mass));
         let [trace, yy, zz, xy, xz, yz] = self.second_moment.even;
         let half = C::half();
         ParameterTables {
             mass: self.mass,
             first_moment: self.first_moment,
-            translation_compliance: self.translation_compliance(&modal_compliance),
+            translation_factors: self.translation_factors(&inverse_modal_mass),
             modal_first_moment: self.modal_first_moment.map(in_lanes),
             // The even components hold both halves of a symmetric matrix.
             inertia: [yy + zz, trace - yy, trace - zz, -half * xy, -half * xz, -half * yz],
@@ -133,30 +141,32 @@ impl<C: Scalar, const M: usize> Parameters<C, M> {
                 .position_mode_odd
                 .map(|moments| in_lanes(moments.map(|moment| moment.odd))),
             modal_mass: diagonal_in_lanes(self.modal_mass),
-            modal_compliance: diagonal_in_lanes(modal_compliance),
+            inverse_modal_mass: diagonal_in_lanes(inverse_modal_mass),
             has_trace: self.has_trace,
             stiffness: diagonal_in_lanes(self.stiffness),
             damping: diagonal_in_lanes(self.damping),
         }
     }
 
-    /// (m I - m B Θ_ff⁻¹ (m B)ᵀ)⁻¹.
+    /// m I - m B Θ_ff⁻¹ (m B)ᵀ in factors.
     #[inline(always)]
-    fn translation_compliance(&self, modal_compliance: &ParameterDiagonal<[C; M]>) -> [C; 6] {
+    fn translation_factors(&self, inverse_modal_mass: &ParameterDiagonal<[C; M]>) -> Factors<C> {
+        let scale = C::one() / self.mass;
+        let Some(rows) = &self.modal_first_moment else {
+            return Factors { inverse_pivots: [scale; 3], lower: None };
+        };
         let zero = C::zero();
         let mut left = [self.mass, self.mass, self.mass, zero, zero, zero];
-        if let Some(rows) = &self.modal_first_moment {
-            for (mu, b) in rows.iter().enumerate() {
-                let weighted = match modal_compliance {
-                    ParameterDiagonal::Entries(entries) => b.map(|entry| entry * entries[mu]),
-                    _ => *b,
-                };
-                for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
-                    left[k] -= b[i] * weighted[j];
-                }
+        for (mu, b) in rows.iter().enumerate() {
+            let weighted = match inverse_modal_mass {
+                ParameterDiagonal::Entries(entries) => b.map(|entry| entry * entries[mu]),
+                _ => *b,
+            };
+            for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+                left[k] -= b[i] * weighted[j];
             }
         }
-        inverse(left)
+        Factors::new(left, scale)
     }
 }
 
@@ -169,12 +179,13 @@ impl<C: Copy, const M: usize, const G: usize> ParameterTables<C, M, G> {
             first_moment: self.first_moment,
             modal_first_moment: self.modal_first_moment.as_ref(),
             inertia: self.inertia,
-            translation_compliance: self.translation_compliance,
+            translation_factors: self.translation_factors,
+            eliminated_first_moment: self.modal_first_moment.as_ref(),
             position_mode_even: self.position_mode_even.as_ref(),
             position_mode_odd: self.position_mode_odd.as_ref(),
             trace: if self.has_trace { self.modal_mass.borrow() } else { ModalMatrix::Zero },
             modal_mass: self.modal_mass.borrow(),
-            modal_compliance: self.modal_compliance.borrow(),
+            modal_factors: self.inverse_modal_mass.factors(),
             stiffness: self.stiffness.borrow(),
             damping: self.damping.borrow(),
             moments,

@@ -3,7 +3,7 @@
 use crate::ScalarType;
 use crate::emit::rust::literal::literal;
 use crate::emit::rust::writer::Writer;
-use crate::lanes::{LaneTables, ModalMatrix, MomentTables, Table};
+use crate::lanes::{LaneTables, ModalFactors, ModalMatrix, MomentTables, Table};
 
 const NONE: &str = "::core::option::Option::None";
 
@@ -25,18 +25,32 @@ pub(super) fn statics(writer: &mut Writer, tables: &LaneTables, scalar: ScalarTy
         "ϑ_μ. Layout: group, axis, lane.",
         tables.position_mode_odd.as_ref(),
     );
+    let eliminated_first_moment = if tables.eliminated_first_moment == tables.modal_first_moment {
+        modal_first_moment.clone()
+    } else {
+        items.optional(
+            "ELIMINATED_FIRST_MOMENT",
+            "L⁻¹ (m B)ᵀ with Θ_ff = L D Lᵀ. Layout: group, axis, lane.",
+            tables.eliminated_first_moment.as_ref(),
+        )
+    };
     let modal_mass = items.matrix("MODAL_MASS", "Θ_ff", &tables.modal_mass);
     let trace = if tables.trace == tables.modal_mass {
         modal_mass.clone()
     } else {
         items.matrix("TRACE", "tr T_μν", &tables.trace)
     };
-    let modal_compliance = items.matrix("MODAL_COMPLIANCE", "Θ_ff⁻¹", &tables.modal_compliance);
     let stiffness = items.matrix("STIFFNESS", "K_ff", &tables.stiffness);
     let damping = items.matrix("DAMPING", "D_ff", &tables.damping);
+    let modal_factors = items.factors(&tables.modal_factors);
     let moments = items.moments(tables);
     let array = |numbers: &[f64]| row(numbers, scalar);
-    let first_moment = tables.first_moment.map_or(NONE.to_owned(), |moment| some(&array(&moment)));
+    let list = |numbers: Option<[f64; 3]>| numbers.map_or(NONE.to_owned(), |numbers| some(&array(&numbers)));
+    let translation_factors = format!(
+        "support::lanes::Factors {{\n    inverse_pivots: {},\n    lower: {},\n}}",
+        array(&tables.translation_inverse_pivots),
+        list(tables.translation_lower)
+    );
     let (modes, groups, name) = (tables.modes, tables.groups, scalar.constant_type_name());
     let (kind, moments) = match moments {
         Some(kind) => (format!("&{kind}"), "&MOMENTS"),
@@ -53,15 +67,16 @@ pub(super) fn statics(writer: &mut Writer, tables: &LaneTables, scalar: ScalarTy
     writer.block(&head, "};", |writer| {
         for (field, value) in [
             ("mass", literal(tables.mass, scalar)),
-            ("first_moment", first_moment),
+            ("first_moment", list(tables.first_moment)),
             ("modal_first_moment", modal_first_moment),
             ("inertia", array(&tables.inertia)),
-            ("translation_compliance", array(&tables.translation_compliance)),
+            ("translation_factors", translation_factors),
+            ("eliminated_first_moment", eliminated_first_moment),
             ("position_mode_even", position_mode_even),
             ("position_mode_odd", position_mode_odd),
             ("trace", trace),
             ("modal_mass", modal_mass),
-            ("modal_compliance", modal_compliance),
+            ("modal_factors", modal_factors),
             ("stiffness", stiffness),
             ("damping", damping),
             ("moments", moments.to_owned()),
@@ -106,6 +121,22 @@ impl Items<'_> {
             ModalMatrix::Dense(table) => {
                 self.item(name, &format!("{meaning}. Layout: group, mode, lane."), table);
                 format!("support::lanes::ModalMatrix::Dense(&{name})")
+            }
+        }
+    }
+
+    fn factors(&mut self, factors: &ModalFactors) -> String {
+        let kind = "support::lanes::ModalFactors";
+        match factors {
+            ModalFactors::Identity => format!("{kind}::Identity"),
+            ModalFactors::Diagonal(table) => {
+                self.item("INVERSE_MODAL_MASS", "Θ_ff⁻¹. Layout: group, lane.", table);
+                format!("{kind}::Diagonal(&INVERSE_MODAL_MASS)")
+            }
+            ModalFactors::Triangular { inverse_pivots, lower } => {
+                self.item("INVERSE_PIVOTS", "D⁻¹ with Θ_ff = L D Lᵀ. Layout: group, lane.", inverse_pivots);
+                self.item("LOWER", "L + Lᵀ without its diagonal. Layout: group, mode, lane.", lower);
+                format!("{kind}::Triangular {{ inverse_pivots: &INVERSE_PIVOTS, lower: &LOWER }}")
             }
         }
     }
