@@ -37,9 +37,10 @@ pub(super) fn visibility(options: &GenerateOptions) -> String {
     }
 }
 
-/// A title without line breaks.
+/// A title on one line, without characters that a terminal obeys.
 pub(super) fn plain(title: &str) -> String {
-    title.split_whitespace().collect::<Vec<_>>().join(" ")
+    let visible: String = title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    visible.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Constants that every baked body has. Names that markers cannot take.
