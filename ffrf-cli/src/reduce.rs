@@ -27,12 +27,7 @@ pub fn run(arguments: &Reduce) -> Result<()> {
         }
     }
     say(&format!("{}\n", solution.report))?;
-    let body = reduce(&model, &solution.basis, &options);
-    // Modes that depend on each other are the fault of the file that they are from.
-    let body = match &arguments.choice.mode_shapes {
-        Some(path) => body.with_context(|| format!("{}", path.display()))?,
-        None => body?,
-    };
+    let body = reduce(&model, &solution.basis, &options)?;
     let checks = body.check()?;
     checks.verdict()?;
     output::write(Some(&arguments.output), &body.to_json()?)?;
