@@ -5,6 +5,7 @@
 
 mod workspace;
 
+mod citations;
 mod files;
 mod generator;
 mod imports;

@@ -73,7 +73,7 @@ fn mode_mode_symbol(graph: &mut Graph, mu: usize, nu: usize, i: usize, j: usize)
 
 /// The kinetic energy as a sum of named terms.
 ///
-/// Units: J. Source: MATH.md, kinetic energy; [`EnergyTerm`] has the formulas.
+/// Units: J. Source: `docs/theory/README.md`, E; [`EnergyTerm`] has the formulas.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KineticEnergy {
     terms: [(EnergyTerm, Expression); 9],

@@ -2,7 +2,7 @@
 //!
 //! | form | unknowns | source |
 //! | --- | --- | --- |
-//! | body-resolved | [Aᵀp̈; ω̇; q̈], ω in the body frame | MATH.md; [`FlexibleBody`](crate::FlexibleBody) |
+//! | body-resolved | [Aᵀp̈; ω̇; q̈], ω in the body frame | `docs/theory/README.md`; [`FlexibleBody`](crate::FlexibleBody) |
 //! | [`InertialForm`] | [p̈; A ω̇; q̈] | (203) with (204)-(209), corrected |
 //! | [`EulerParameterForm`] | [p̈; θ̈; q̈] | (214)-(217), corrected |
 //!
