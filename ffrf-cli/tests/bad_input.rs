@@ -113,11 +113,11 @@ fn rigid_motion_as_a_mode_is_refused() {
     bench.write("Psi.txt", &"1\n0\n0\n".repeat(6));
     bench
         .run(&format!("{REDUCE} --mode-shapes Psi.txt"))
-        .failed(1, &["Psi.txt", "independence of the modes from rigid motion", "mode 1 is a rigid motion"]);
+        .failed(1, &["independence of the modes from rigid motion", "mode 1 is a rigid motion"]);
     let shapes = |row: usize| [(row * row % 7) as f64, (row % 5) as f64, (row * row % 7) as f64 * -2.0];
     let lines: String = (0..18).map(shapes).map(|[a, b, c]| format!("{a} {b} {c}\n")).collect();
     bench.write("Psi.txt", &lines);
-    bench.run(&format!("{REDUCE} --mode-shapes Psi.txt")).failed(1, &["Psi.txt", "mode 3 repeats mode 1"]);
+    bench.run(&format!("{REDUCE} --mode-shapes Psi.txt")).failed(1, &["mode 3 repeats mode 1"]);
     bench.write("Psi.txt", "1\n2\n3\n");
     bench.run(&format!("{REDUCE} --mode-shapes Psi.txt")).failed(1, &["Psi.txt", "18", "3"]);
     assert_eq!(bench.files(), ["K.mtx", "M.mtx", "Psi.txt", "X.txt"]);
