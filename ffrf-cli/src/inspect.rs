@@ -5,7 +5,7 @@ use ffrf_codegen::GenerateOptions;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Inspect;
-use crate::{describe, generate};
+use crate::{describe, generate, output};
 
 /// Runs the command.
 pub fn run(arguments: &Inspect) -> Result<()> {
@@ -15,9 +15,9 @@ pub fn run(arguments: &Inspect) -> Result<()> {
             body.with_selected_modes(selection).with_context(|| format!("{}", arguments.model.display()))?;
         checks = body.check()?;
     }
-    println!("{}", describe::body(&body));
-    println!("{}", describe::mode_table(&body));
-    println!("{}", describe::checks(&checks));
+    output::say(&format!("{}\n", describe::body(&body)))?;
+    output::say(&format!("{}\n", describe::mode_table(&body)))?;
+    output::say(&format!("{}\n", describe::checks(&checks)))?;
     // What is wrong is shown above; the generator takes no such body.
     checks.verdict().with_context(|| format!("{}", arguments.model.display()))?;
     let options = GenerateOptions {
@@ -25,9 +25,6 @@ pub fn run(arguments: &Inspect) -> Result<()> {
         layout_tolerance: arguments.layout_tolerance,
         ..GenerateOptions::default()
     };
-    print!(
-        "{}",
-        generate::account(&body, &options).with_context(|| format!("{}", arguments.model.display()))?
-    );
-    Ok(())
+    let account = generate::account(&body, &options);
+    output::say(&account.with_context(|| format!("{}", arguments.model.display()))?)
 }

@@ -17,6 +17,7 @@ pub mod lane_body;
 pub mod lane_kernels;
 mod modes;
 mod output;
+mod progress;
 mod reduce;
 mod report;
 mod sample_states;
@@ -31,9 +32,18 @@ use arguments::{Arguments, Command};
 
 /// Does what the command line of this process asks for.
 ///
-/// Wrong usage ends the process with a message and exit code 2.
+/// The answer to `--help` and `--version` ends the process; wrong usage is exit code 2.
 pub fn run() -> ExitCode {
-    let result = match Arguments::parse().command {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() => {
+            output::complain(&error.render().to_string());
+            return ExitCode::from(2);
+        }
+        // Help and version.
+        Err(error) => error.exit(),
+    };
+    let result = match arguments.command {
         Command::Reduce(arguments) => reduce::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
@@ -43,7 +53,7 @@ pub fn run() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {}", report::chain(&error));
+            output::complain(&format!("error: {}\n", report::chain(&error)));
             ExitCode::FAILURE
         }
     }

@@ -1,33 +1,91 @@
-//! Writing results: whole files or none.
+//! Everything that leaves the command: results, reports for people, and complaints.
+//!
+//! Results are whole files or none ([`ffrf_model::write_file`]). Reports and complaints carry text from input files:
+//! here, and only here, control characters are escaped, so that no file can steer the terminal that it is shown on.
+//! A reader that has seen enough (`ffrf inspect ... | head`) is no failure: what follows is dropped.
 
-use std::io::Write;
+use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
 use anyhow::{Context, Result};
 
-/// Writes text to a file by way of a temporary file in the same folder, or to standard output.
+/// Writes a result, as it is, to a file or to standard output.
 pub fn write(path: Option<&Path>, text: &str) -> Result<()> {
     match path {
-        Some(path) => {
-            write_file(path, text).with_context(|| format!("{}: cannot be written", path.display()))
-        }
-        None => std::io::stdout().lock().write_all(text.as_bytes()).context("standard output"),
+        Some(path) if !is_standard_output(path) => ffrf_model::write_file(path, text.as_bytes())
+            .with_context(|| format!("{}: cannot be written", path.display())),
+        _ => print(io::stdout().lock(), text).context("standard output"),
     }
 }
 
-fn write_file(path: &Path, text: &str) -> std::io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".ffrf-").suffix(".tmp");
-    #[cfg(unix)]
-    {
-        // Readable by others as far as the user's mask allows, as any file that a program makes.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
+/// Prints a report for people on standard output.
+pub fn say(text: &str) -> Result<()> {
+    print(io::stdout().lock(), &printable(text)).context("standard output")
+}
+
+/// Prints a report beside a result: on standard output, or on standard error if the result goes to standard output.
+pub fn say_beside(result: &Path, text: &str) -> Result<()> {
+    if is_standard_output(result) {
+        complain(text);
+        return Ok(());
     }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
+    say(text)
+}
+
+/// Prints a message on standard error; there is nowhere left to report it if that fails.
+pub fn complain(text: &str) {
+    let _ = io::stderr().lock().write_all(printable(text).as_bytes());
+}
+
+/// The names of standard output. What is opened by such a name has a position of its own in a file that the shell
+/// redirected to, and would overwrite what is already there.
+fn is_standard_output(path: &Path) -> bool {
+    ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| path == Path::new(name))
+}
+
+fn print(mut stream: impl Write, text: &str) -> io::Result<()> {
+    match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result,
+    }
+}
+
+/// The text with control characters as `\u{1b}`, and those that reverse the direction of writing as well.
+fn printable(text: &str) -> String {
+    let mut printable = String::with_capacity(text.len());
+    for character in text.chars() {
+        let turns = matches!(character, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+        if turns || (character.is_control() && character != '\n') {
+            printable.extend(character.escape_unicode());
+        } else {
+            printable.push(character);
+        }
+    }
+    printable
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn control_characters_are_shown_and_not_obeyed() {
+        let text = "a\u{1b}[31m\r\u{9b}2J\u{7f}\u{202e}\tb\nÄ²";
+        assert_eq!(printable(text), "a\\u{1b}[31m\\u{d}\\u{9b}2J\\u{7f}\\u{202e}\\u{9}b\nÄ²");
+    }
+
+    #[test]
+    fn a_reader_that_went_away_is_no_failure_and_a_full_disk_is_one() {
+        struct Fails(ErrorKind);
+        impl Write for Fails {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(self.0.into())
+            }
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+        print(Fails(ErrorKind::BrokenPipe), "text").unwrap();
+        print(Fails(ErrorKind::StorageFull), "text").unwrap_err();
+    }
 }

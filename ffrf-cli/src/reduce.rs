@@ -7,12 +7,13 @@ use ffrf_fe::reduction::{Damping, MarkerRequest, ReductionOptions, reduce};
 
 use crate::arguments::{MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
-use crate::{describe, fe_input, modes};
+use crate::{describe, fe_input, modes, output};
 
 /// Runs the command.
 pub fn run(arguments: &Reduce) -> Result<()> {
     let mut model = fe_input::read(&arguments.files)?;
-    println!("{}", fe_input::describe(&model));
+    let say = |text: &str| output::say_beside(&arguments.output, text);
+    say(&format!("{}\n", fe_input::describe(&model)))?;
     let mut options = options(arguments, &model.nodes)?;
     let solution = modes::solve(&model, &arguments.choice, None)?;
     if let Some(path) = &arguments.modal_stiffness {
@@ -25,15 +26,13 @@ pub fn run(arguments: &Reduce) -> Result<()> {
             model.sources.push(source_file(path, role)?);
         }
     }
-    println!("{}", solution.report);
+    say(&format!("{}\n", solution.report))?;
     let body = reduce(&model, &solution.basis, &options)?;
     let checks = body.check()?;
     checks.verdict()?;
-    body.write(&arguments.output)?;
-    println!("\n{}", describe::body(&body));
-    print!("{}", describe::checks(&checks));
-    println!("written: {}", arguments.output.display());
-    Ok(())
+    output::write(Some(&arguments.output), &body.to_json()?)?;
+    say(&format!("\n{}\n{}", describe::body(&body), describe::checks(&checks)))?;
+    say(&format!("written: {}\n", arguments.output.display()))
 }
 
 fn options(arguments: &Reduce, nodes: &Nodes) -> Result<ReductionOptions> {

@@ -4,6 +4,8 @@
 //! [`ffrf_fe::oracle::Scales`]: a block that vanishes up to round-off (B of free-free modes) then shows that
 //! round-off and not a ratio of two of them.
 
+use std::fmt::Write as _;
+
 use anyhow::{Context, Result, bail};
 use ffrf_codegen::GenerateOptions;
 use ffrf_fe::oracle::{Elastic, Oracle, OracleState, OracleValues, group_of};
@@ -12,7 +14,7 @@ use ffrf_model::ReducedBody;
 use crate::arguments::Verify;
 use crate::generated_kernels::GeneratedKernels;
 use crate::sample_states::{ANGULAR_VELOCITY, DISPLACEMENT, sample_forces, sample_states};
-use crate::{fe_input, modes};
+use crate::{fe_input, modes, output};
 
 /// Multiples of the unit round-off of the elastic energy's terms that a projected stiffness may carry:
 /// each entry of ΨᵀKΨ is a sum of some hundred to some thousand products, whose errors mostly cancel.
@@ -42,22 +44,20 @@ pub fn run(arguments: &Verify) -> Result<()> {
         let values = oracle.evaluate(state);
         compare(&mut table, &body, &kernels, state, &values, arguments.seed.wrapping_add(index as u64));
     }
-    println!(
+    output::say(&format!(
         "{} random states (seed {}): displacements up to {DISPLACEMENT} of the body's size {:.4}, angular \
-         velocity components up to {ANGULAR_VELOCITY} rad/s",
+         velocity components up to {ANGULAR_VELOCITY} rad/s\n",
         arguments.states,
         arguments.seed,
         oracle.size()
-    );
-    println!("kernels: {}", kernels.description());
-    table.print(arguments.tolerance);
+    ))?;
+    output::say(&format!("kernels: {}\n{}", kernels.description(), table.text(arguments.tolerance)))?;
     if model.stiffness.is_none() {
-        println!("the elastic energy and forces were not checked: no stiffness matrix given");
+        output::say("the elastic energy and forces were not checked: no stiffness matrix given\n")?;
     }
     let failed = table.failed(arguments.tolerance);
     if failed.is_empty() {
-        println!("verified: every deviation is within {:.0e}", arguments.tolerance);
-        Ok(())
+        output::say(&format!("verified: every deviation is within {:.0e}\n", arguments.tolerance))
     } else {
         bail!("deviation above {:.0e}: {}", arguments.tolerance, failed.join(", "))
     }
@@ -94,13 +94,14 @@ impl Table {
         row.allowance = row.allowance.max(allowance);
     }
 
-    fn print(&self, tolerance: f64) {
-        println!("{:<44} {:>10}  {:>9}", "largest relative deviation", "", "limit");
+    fn text(&self, tolerance: f64) -> String {
+        let mut text = format!("{:<44} {:>10}  {:>9}\n", "largest relative deviation", "", "limit");
         for row in &self.rows {
             let limit = tolerance.max(row.allowance);
             let verdict = if row.deviation <= limit { "" } else { "  FAILED" };
-            println!("  {:<42} {:>10.2e}  {limit:>9.1e}{verdict}", row.quantity, row.deviation);
+            let _ = writeln!(text, "  {:<42} {:>10.2e}  {limit:>9.1e}{verdict}", row.quantity, row.deviation);
         }
+        text
     }
 
     fn failed(&self, tolerance: f64) -> Vec<String> {

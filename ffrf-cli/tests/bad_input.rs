@@ -113,7 +113,11 @@ fn rigid_motion_as_a_mode_is_refused() {
     bench.write("Psi.txt", &"1\n0\n0\n".repeat(6));
     bench
         .run(&format!("{REDUCE} --mode-shapes Psi.txt"))
-        .failed(1, &["independence of the modes from rigid motion"]);
+        .failed(1, &["independence of the modes from rigid motion", "mode 1 is a rigid motion"]);
+    let shapes = |row: usize| [(row * row % 7) as f64, (row % 5) as f64, (row * row % 7) as f64 * -2.0];
+    let lines: String = (0..18).map(shapes).map(|[a, b, c]| format!("{a} {b} {c}\n")).collect();
+    bench.write("Psi.txt", &lines);
+    bench.run(&format!("{REDUCE} --mode-shapes Psi.txt")).failed(1, &["mode 3 repeats mode 1"]);
     bench.write("Psi.txt", "1\n2\n3\n");
     bench.run(&format!("{REDUCE} --mode-shapes Psi.txt")).failed(1, &["Psi.txt", "18", "3"]);
     assert_eq!(bench.files(), ["K.mtx", "M.mtx", "Psi.txt", "X.txt"]);
@@ -169,4 +173,76 @@ fn a_damaged_model_is_refused_with_the_field() {
         }
     }
     assert!(!bench.files().contains(&"body.rs".to_owned()));
+}
+
+/// Every command that reads a model.
+const DOORS: [&str; 4] = [
+    "inspect body.ffrf.json",
+    "generate body.ffrf.json -o out",
+    "evaluate body.ffrf.json states.json -o out",
+    "verify --nodes X.txt --mass M.mtx --stiffness K.mtx --modes 2 body.ffrf.json",
+];
+
+#[test]
+fn a_model_that_contradicts_itself_is_refused_at_every_door() {
+    let bench = Workbench::with_part();
+    bench.run(&format!("{REDUCE} --modes 2 --rayleigh 0.3,1e-4")).succeeded();
+    let state = r#"{"states":[{"q":[0,0],"omega":[0,0,1],"q_dot":[0,0],"force":[0,0,0,0,0,0,0,0]}]}"#;
+    bench.write("states.json", state);
+    for door in DOORS {
+        bench.run(door).succeeded();
+    }
+    std::fs::remove_file(bench.path("out")).unwrap();
+    let good: serde_json::Value = serde_json::from_str(&bench.read("body.ffrf.json")).unwrap();
+    let faults: [(&str, fn(&mut serde_json::Value)); 7] = [
+        ("smallest eigenvalue of K_ff", |body| body["stiffness"][0][0] = (-1.0).into()),
+        ("smallest eigenvalue of D_ff", |body| body["damping"][1][1] = (-0.1).into()),
+        ("asymmetry of the stiffness K_ff", |body| body["stiffness"][0][1] = 1e3.into()),
+        ("asymmetry of the second moment T", |body| body["inertia"]["second_moment"][2][0] = 9.0.into()),
+        ("asymmetry of the second moment T", |body| {
+            body["inertia"]["second_moment"].as_array_mut().unwrap().swap(0, 1);
+        }),
+        ("Gram matrix of the inertia invariants", |body| body["inertia"]["mass"] = 5e-324.into()),
+        ("mass: ", |body| body["inertia"]["mass"] = 0.0.into()),
+    ];
+    for (expected, fault) in faults {
+        let mut body = good.clone();
+        fault(&mut body);
+        bench.write("body.ffrf.json", &body.to_string());
+        for door in DOORS {
+            bench.run(door).failed(1, &["body.ffrf.json", "the body is not consistent", expected]);
+        }
+    }
+    assert!(!bench.files().contains(&"out".to_owned()));
+}
+
+#[test]
+fn a_number_too_large_for_single_precision_is_named() {
+    let bench = Workbench::with_part();
+    bench.run(&format!("{REDUCE} --modes 2")).succeeded();
+    let mut body: serde_json::Value = serde_json::from_str(&bench.read("body.ffrf.json")).unwrap();
+    body["stiffness"][1][1] = 2.5e39.into();
+    bench.write("body.ffrf.json", &body.to_string());
+    bench.run("generate body.ffrf.json").succeeded();
+    for flags in ["", "--strategy lanes"] {
+        bench
+            .run(&format!("generate body.ffrf.json --scalar f32 {flags} -o out.rs"))
+            .failed(1, &["body.ffrf.json", "stiffness[1][1]: 2.5e39 is not finite in f32"]);
+    }
+    assert!(!bench.files().contains(&"out.rs".to_owned()));
+}
+
+#[test]
+fn modes_are_chosen_from_those_that_are_there() {
+    let bench = Workbench::with_part();
+    bench.run(&format!("{REDUCE} --modes 4")).succeeded();
+    for command in ["generate body.ffrf.json", "inspect body.ffrf.json"] {
+        bench.run(&format!("{command} --modes 1..3")).succeeded();
+        bench
+            .run(&format!("{command} --modes 2..5"))
+            .failed(1, &["body.ffrf.json", "mode 4 asked for", "has 4"]);
+        bench.run(&format!("{command} --modes 1,1")).failed(1, &["body.ffrf.json", "mode 1 asked for twice"]);
+        bench.run(&format!("{command} --modes 3..1")).failed(2, &["`3..1` has no modes"]);
+    }
+    bench.run("generate --layout damping=zero --modes 0..2").failed(1, &["the number of modes is expected"]);
 }

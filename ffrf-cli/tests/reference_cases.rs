@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 use common::Workbench;
 use serde_json::{Value, json};
 
-/// Mass matrix, quadratic velocity and energies: FORMAT.md, "suggested tolerance".
+/// Mass matrix, quadratic velocity and energies: `../shared/reference/FORMAT.md`, "suggested tolerance".
 const TOLERANCE: f64 = 1e-12;
-/// Accelerations: this or [`ACCELERATION_UNCERTAINTIES`] times the case's own uncertainty (FORMAT.md).
+/// Accelerations: this or [`ACCELERATION_UNCERTAINTIES`] times the case's own uncertainty, see there.
 const ACCELERATION_TOLERANCE: f64 = 1e-10;
 /// See [`ACCELERATION_TOLERANCE`].
 const ACCELERATION_UNCERTAINTIES: f64 = 100.0;

@@ -23,7 +23,7 @@ use std::collections::BTreeSet;
 
 /// One term of the kinetic energy, as the user may keep or drop it.
 ///
-/// Units of every term: J. Frame: body-resolved v and ω. Source: MATH.md, kinetic energy.
+/// Units of every term: J. Frame: body-resolved v and ω. Source: `docs/theory/README.md`, E.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum EnergyTerm {
     /// ½ m v·v. Always kept.

@@ -1,4 +1,4 @@
-//! The constant inertia invariants of a flexible body (MATH: equations 206-208, corrected).
+//! The constant inertia invariants of a flexible body (206-208, corrected: `docs/theory/equations.md`).
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,5 @@
-//! The paper's inertial form and Euler-parameter form, against the reference states (FORMAT.md, cases a to c).
+//! The paper's inertial form and Euler-parameter form, against the reference states
+//! (`../shared/reference/FORMAT.md`, cases a to c).
 
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers beside the tests
 

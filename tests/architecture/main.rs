@@ -7,6 +7,7 @@ mod modules;
 mod workspace;
 
 mod circles;
+mod citations;
 mod files;
 mod generator;
 mod imports;

@@ -19,8 +19,22 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
+/// The folder of the package that a file is in.
+pub fn package_of(path: &Path) -> &Path {
+    path.ancestors().skip(1).find(|folder| folder.join("Cargo.toml").exists()).unwrap_or(root())
+}
+
 /// Hand-written Rust files: all but generated golden code and compile-fail samples.
 pub fn source_files() -> Vec<PathBuf> {
+    files_ending_in("rs")
+}
+
+/// Documents.
+pub fn text_files() -> Vec<PathBuf> {
+    files_ending_in("md")
+}
+
+fn files_ending_in(extension: &str) -> Vec<PathBuf> {
     let mut files = Vec::new();
     let mut folders = vec![root().to_path_buf()];
     while let Some(folder) = folders.pop() {
@@ -31,12 +45,12 @@ pub fn source_files() -> Vec<PathBuf> {
                 if !matches!(name, "target" | "golden" | "ui" | "snapshots") && !name.starts_with('.') {
                     folders.push(path);
                 }
-            } else if path.extension().is_some_and(|e| e == "rs") {
+            } else if path.extension().is_some_and(|e| e == extension) {
                 files.push(path);
             }
         }
     }
     files.sort();
-    assert!(files.len() > 20, "the walk found only {} files", files.len());
+    assert!(files.len() > 5, "the walk found only {} files", files.len());
     files
 }

@@ -1,7 +1,6 @@
-//! Accelerations of very slender bodies, compared with exact arithmetic: what the 3 x 3 inverse by cofactors costs.
+//! Accelerations of very slender bodies, compared with exact arithmetic: what the elimination of a slender inertia costs.
 //!
-//! `cargo test -p ffrf --test slender_bodies -- --nocapture` prints the figures that
-//! `ffrf-codegen/src/formulate/inverse.rs` states.
+//! `cargo test -p ffrf --test slender_bodies -- --nocapture` prints the figures.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
 mod body;

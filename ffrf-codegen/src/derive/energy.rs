@@ -6,7 +6,7 @@ use crate::fidelity::{EnergyTerm, Fidelity};
 
 /// The kinetic energy as a sum of named terms.
 ///
-/// Units: J. Source: MATH.md, kinetic energy; [`EnergyTerm`] has the formulas.
+/// Units: J. Source: `docs/theory/README.md`, E; [`EnergyTerm`] has the formulas.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KineticEnergy {
     terms: [(EnergyTerm, Expression); 9],

@@ -1,5 +1,6 @@
 //! The banner: where the code comes from, by which options, at which cost.
 
+use super::documentation::plain;
 use crate::GenerateOptions;
 use crate::fidelity::Fidelity;
 use crate::report::Report;
@@ -17,9 +18,13 @@ pub(super) fn banner(options: &GenerateOptions, report: &Report) -> Vec<String> 
         Some(source) => {
             let file = match options.source_name.as_str() {
                 "" => String::new(),
-                name => format!(" ({name})"),
+                name => format!(" ({})", plain(name)),
             };
-            lines.push(format!("Model: {}{file}, fingerprint {:016x}", source.title, source.fingerprint));
+            lines.push(format!(
+                "Model: {}{file}, fingerprint {:016x}",
+                plain(&source.title),
+                source.fingerprint
+            ));
             lines.push(format!("Modes: {} of {}", report.mode_count, source.mode_count));
         }
         None => lines.push(format!("Modes: {}; invariants supplied at run time", report.mode_count)),

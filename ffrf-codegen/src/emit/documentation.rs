@@ -39,3 +39,9 @@ fn shape(signature: &Signature, mode_count: usize) -> String {
         several => several.iter().map(|shape| short(*shape)).collect::<Vec<_>>().join(", "),
     }
 }
+
+/// A title on one line, without characters that a terminal obeys.
+pub(super) fn plain(title: &str) -> String {
+    let visible: String = title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    visible.split_whitespace().collect::<Vec<_>>().join(" ")
+}

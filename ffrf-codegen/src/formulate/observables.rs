@@ -5,7 +5,7 @@ use super::{DeformedBody, Draft, State};
 use crate::body::BodyExpressions;
 use crate::expression::{Expression, Graph, Vector, cross, dot, sum3, symmetric_times};
 
-/// Kinetic energy E. Units: J. Source: MATH.md, kinetic energy.
+/// Kinetic energy E. Units: J. Source: `docs/theory/README.md`, E.
 pub fn kinetic_energy(
     graph: &mut Draft,
     body: &BodyExpressions,

@@ -156,7 +156,7 @@ pub fn mass_matrix(
 
 /// Quadratic velocity vector Q(q, ω, q̇) on the left-hand side, N = 6 + M entries.
 ///
-/// Source: (209), signs and index order corrected; see MATH.md.
+/// Source: (209), signs and index order corrected; see `docs/theory/errata.md`.
 pub fn quadratic_velocity(
     graph: &mut Draft,
     body: &BodyExpressions,

@@ -5,7 +5,7 @@ use ffrf_codegen::expression::{Expression, Graph, Input, Vector, cross, dot, sum
 
 type Matrix = [Vector; 3];
 
-/// A misprint of the paper (ERRATA.md) that changes mass matrix or quadratic velocity vector.
+/// A misprint of the paper (`docs/theory/errata.md`) that changes mass matrix or quadratic velocity vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Misprint {
     /// (151), (163), (203): M_tr = + m r~.

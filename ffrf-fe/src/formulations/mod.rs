@@ -4,8 +4,7 @@
 //! → generalised component modes (GCMS, Sections 4-5) → constraints and their null space (Section 6)
 //! → projection (Section 7) → floating frame (Section 8).
 //! Every numbered equation that claims something checkable is a test in `tests/equations`.
-//!
-#![doc = include_str!("../../../docs/theory/README.md")]
+//! The notation and a guide through the pages about each step: `docs/theory/README.md` of the repository.
 
 pub mod constraints;
 pub mod corotated;

@@ -14,7 +14,7 @@ use super::{ReductionError, ReductionOptions, mean_axis};
 
 /// Reduces a finite-element model to the modes of a basis.
 ///
-/// Source: MATH, equations 206-208: every invariant from M_s, K_ff = ΨᵀKΨ.
+/// Source: `docs/theory/equations.md`, (206-208): every invariant from M_s, K_ff = ΨᵀKΨ.
 /// Errors: sizes that do not fit, no stiffness, bad damping or markers, and every failed consistency check of
 /// [`ReducedBody::check`], dependence of the modes on rigid motion among them.
 /// Panics: never.

@@ -6,7 +6,7 @@ use super::scalar::{Register, groups, stored};
 use super::{LaneBody, Lanes, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
-    /// Kinetic energy. Units: J. Source: MATH.md, the sum of all kept terms.
+    /// Kinetic energy. Units: J. Source: `docs/theory/README.md`, E, the sum of all kept terms.
     #[inline(always)]
     pub fn kinetic_energy<T: Scalar<Constant = C>>(
         &self,

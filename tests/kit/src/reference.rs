@@ -1,4 +1,5 @@
-//! Reference trajectories: reading them, starting from them, comparing with them (see their FORMAT.md).
+//! Reference trajectories: reading them, starting from them, comparing with them
+//! (`../shared/reference/FORMAT.md`).
 
 use ffrf_runtime::nalgebra::{SVector, Vector3};
 use ffrf_runtime::{FreeBody, Gravity, rotation};

@@ -4,6 +4,7 @@ use ffrf_model::ReducedBody;
 
 use super::literal::literal;
 use super::writer::{Writer, bracketed};
+use crate::emit::documentation::plain;
 use crate::report::Report;
 use crate::{GenerateOptions, ScalarType};
 
@@ -35,11 +36,6 @@ pub(super) fn visibility(options: &GenerateOptions) -> String {
         "" => String::new(),
         visibility => format!("{visibility} "),
     }
-}
-
-/// A title without line breaks.
-pub(super) fn plain(title: &str) -> String {
-    title.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Names of the constants of bodies, which no marker can take.

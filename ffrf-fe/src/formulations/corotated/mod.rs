@@ -5,7 +5,7 @@
 //! constant, M_s ⊗ I3, and the elastic energy is ½ sᵀ K s with s = A_bdᵀ r - x. So one [`CorotatedModel`] serves
 //! both, and [`Midpoint`] integrates both.
 //!
-#![doc = include_str!("../../../../docs/theory/equivalence.md")]
+//! One pendulum in three formulations, with figures: `docs/theory/equivalence.md` of the repository.
 
 mod elastic;
 mod frame;

@@ -16,7 +16,7 @@ const DENSE_VALUES: usize = 1 << 29;
 /// Reads mode shapes Ψ from text, Matrix Market (array or coordinate) or NumPy.
 ///
 /// Shape: 3N x M, rows x, y, z node by node. Units: as normalised by the user (1/√kg for mass-normalised modes).
-/// Source: MATH.md, notation.
+/// Source: `docs/theory/README.md`, notation.
 ///
 /// # Errors
 /// A file that does not follow its format, has another number of rows, or more modes than rows.

@@ -22,7 +22,7 @@ pub(crate) struct ScalarMass {
 /// Takes M_s from a 3N x 3N matrix. `known[dof]` is false where boundary conditions removed the mass of a degree
 /// of freedom; the other directions of the node then stand for it.
 ///
-/// Source: MATH.md, constant inertia invariants (206-208), which hold for M_FE = M_s ⊗ I3 only.
+/// Source: `docs/theory/equations.md`, (206-208), which hold for M_FE = M_s ⊗ I3 only.
 pub(crate) fn scalar_mass(
     full: &SparseMatrix,
     known: &[bool],
