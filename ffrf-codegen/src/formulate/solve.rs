@@ -14,7 +14,7 @@ use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3};
 /// M = L D Lᵀ in the order modes, translation, rotation, with what is constant of L and D folded when the code is
 /// generated: Θ_ff, and what the modes leave of the mass, m I - m B Θ_ff⁻¹ (m B)ᵀ. The mass matrix itself is never
 /// formed. Nothing is multiplied by an inverse, so that accelerations are as accurate as those of a Cholesky
-/// factorisation of the mass matrix, see [`Factors`].
+/// factorisation of the mass matrix, see `factors.rs`.
 ///
 /// Errors: [`CodegenError::RepeatedModes`] or [`CodegenError::DependentModes`] if Θ_ff or the reduced mass is a constant
 /// that is not positive definite.
