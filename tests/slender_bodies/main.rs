@@ -8,9 +8,6 @@ mod body;
 mod exact_motion;
 mod tolerances;
 
-#[path = "../../ffrf-codegen/tests/proof/exact.rs"]
-mod exact;
-
 use body::slender_body;
 use exact_motion::{Errors, ExactMotion, Force};
 use ffrf::nalgebra::{DMatrix, DVector, Rotation3, Vector3};
