@@ -8,4 +8,5 @@ mod workspace;
 mod files;
 mod generator;
 mod imports;
+mod paths;
 mod unsafe_code;
