@@ -5,18 +5,16 @@
 #[path = "golden/bodies.rs"]
 #[allow(dead_code)]
 mod bodies;
-#[path = "../ffrf-codegen/tests/proof/dual.rs"]
-mod dual;
 #[rustfmt::skip]
 #[path = "golden/jacobians_m2.rs"]
 mod jacobians_m2;
 
-use dual::Dual;
 use ffrf::nalgebra::{SMatrix, SVector, Vector2, Vector3};
 use ffrf::{FlexibleBodyJacobians, flexible_body};
 use ffrf_codegen::formulate::kernels::FORWARD_DYNAMICS;
 use ffrf_codegen::{GenerateOptions, KernelInput, Kernels};
 use ffrf_model::ReducedBody;
+use ffrf_test_kit::proof::dual::Dual;
 use ffrf_test_kit::random::Random;
 
 /// Through mass matrices with condition numbers below 1e4, as in the committed bodies' own test.

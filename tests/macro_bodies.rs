@@ -49,7 +49,7 @@ fn model() -> ReducedBody {
 }
 
 fn options(modes: Option<usize>) -> GenerateOptions {
-    GenerateOptions { modes, ..GenerateOptions::default() }
+    GenerateOptions { modes: modes.map(Into::into), ..GenerateOptions::default() }
 }
 
 #[test]

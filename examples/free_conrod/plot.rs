@@ -1,6 +1,6 @@
 //! Line charts as SVG: panels below each other, with their legend beside them; linear or double logarithmic.
 //!
-//! The example `equivalence` of ffrf-fe draws with this file, too.
+//! The example `equivalence` draws with this file, too.
 
 use std::error::Error;
 use std::path::Path;

@@ -27,8 +27,7 @@ fn agree(body: &ReducedBody, options: &GenerateOptions, form: &str) {
     let expected = Kernels::formulate(body, options).unwrap();
     let mut random = Random::new(7);
     let (q, q_dot) = (random.numbers(modes), random.numbers(modes));
-    let vector = |random: &mut Random| [random.number(), random.number(), random.number()];
-    let (velocity, omega) = (vector(&mut random), vector(&mut random));
+    let (velocity, omega) = (random.vector(), random.vector());
     let q: Vec<f64> = q.iter().map(|q| 0.05 * q).collect();
     let force = random.numbers(6 + modes);
     let mass = expected.mass_matrix(&q).concat();

@@ -11,4 +11,5 @@ mod citations;
 mod files;
 mod generator;
 mod imports;
+mod paths;
 mod unsafe_code;

@@ -10,8 +10,8 @@ use num_rational::BigRational;
 use num_traits::Zero;
 
 use crate::loops::{Compiled, whole};
-use crate::residual::residual;
 use crate::{fidelities, layouts};
+use ffrf_test_kit::proof::residual::residual;
 
 /// What the accelerations of the loops leave of the derived equations of motion.
 fn rest(modes: usize, compiled: Compiled, layout: &Layout, fidelity: &Fidelity) -> Vec<BigRational> {

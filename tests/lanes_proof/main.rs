@@ -8,17 +8,6 @@
 mod loops;
 mod symbolic;
 
-#[path = "../../ffrf-codegen/tests/proof/compare.rs"]
-mod compare;
-#[path = "../../ffrf-codegen/tests/proof/exact.rs"]
-mod exact;
-#[path = "../../ffrf-codegen/tests/proof/mutated.rs"]
-mod mutated;
-#[path = "../../ffrf-codegen/tests/proof/residual.rs"]
-mod residual;
-#[path = "../../ffrf-codegen/tests/proof/sample.rs"]
-mod sample;
-
 mod accelerations;
 mod mutants;
 mod polynomials;

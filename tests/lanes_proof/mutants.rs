@@ -6,7 +6,7 @@ use ffrf_codegen::invariants::{Invariant, Structure};
 use ffrf_codegen::layout::Layout;
 
 use crate::loops::whole;
-use crate::mutated::every_mutant_is_found;
+use ffrf_test_kit::proof::mutated::every_mutant_is_found;
 
 #[test]
 fn any_wrong_operation_in_the_loops_breaks_the_proof() {

@@ -10,9 +10,9 @@ use ffrf_codegen::invariants::{Invariant, Structure};
 use ffrf_codegen::layout::Layout;
 use ffrf_codegen::polynomial::polynomials_of;
 
-use crate::compare::Equations;
 use crate::loops::{Compiled, Loops, fields, half, whole};
 use crate::{fidelities, layouts};
+use ffrf_test_kit::proof::compare::Equations;
 
 /// Proves the polynomial kernels of one body; returns the number of monomials compared.
 fn prove(modes: usize, compiled: Compiled, layout: &Layout, fidelity: &Fidelity) -> usize {

@@ -10,7 +10,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::Point;
-use crate::exact::Exact;
+use ffrf_test_kit::proof::exact::Exact;
 
 /// What drives the body.
 #[derive(Debug, Clone, Copy)]

@@ -7,9 +7,6 @@ mod body;
 mod exact_motion;
 mod tolerances;
 
-#[path = "../../ffrf-codegen/tests/proof/exact.rs"]
-mod exact;
-
 use body::slender_body;
 use exact_motion::{Errors, ExactMotion, Force};
 use ffrf::nalgebra::{DMatrix, DVector, Rotation3, Vector3};
@@ -50,7 +47,7 @@ fn measure(modes: usize, thickness: f64, turn: &Rotation3<f64>, applied: Force) 
         let point = Point {
             q: random.numbers(modes).iter().map(|x| thickness * x).collect(),
             q_dot: random.numbers(modes),
-            omega: [random.number(), random.number(), random.number()],
+            omega: random.vector(),
         };
         let Point { q, q_dot, omega } = &point;
         let motion = ExactMotion::new(&kernels, &point, applied, &random.numbers(6 + modes));

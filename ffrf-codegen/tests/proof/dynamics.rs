@@ -11,7 +11,7 @@ use ffrf_codegen::layout::{Layout, Structure};
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use crate::residual::residual;
+use ffrf_test_kit::proof::residual::residual;
 
 /// What the accelerations of the fast kernel leave of the derived equations of motion.
 fn rest(mode_count: usize, layout: &Layout, fidelity: &Fidelity) -> Vec<BigRational> {

@@ -6,9 +6,9 @@ use ffrf_codegen::formulate::{Draft, Jacobian, Variable};
 use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::layout::{Layout, Structure};
 
-use crate::dual::Dual;
-use crate::sample::value;
 use crate::tolerances::SOLVED;
+use ffrf_test_kit::proof::dual::Dual;
+use ffrf_test_kit::proof::sample::value;
 
 /// Largest difference between the columns of a Jacobian and dual numbers, relative to the largest entry.
 fn error(graph: &Graph, jacobian: &Jacobian, mode_count: usize, seed: u64) -> f64 {

@@ -15,9 +15,9 @@ use ffrf_codegen::invariants::Invariant;
 use ffrf_codegen::layout::{Layout, Structure};
 use ffrf_codegen::polynomial::polynomials_of;
 
-use crate::compare::Equations;
 use crate::laws::all_fidelities;
-use crate::mutated::every_mutant_is_found;
+use ffrf_test_kit::proof::compare::Equations;
+use ffrf_test_kit::proof::mutated::every_mutant_is_found;
 
 /// Every combination of structures that concern inertia, 600 of them.
 fn all_layouts() -> Vec<Layout> {

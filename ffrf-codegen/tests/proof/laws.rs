@@ -6,7 +6,7 @@ use ffrf_codegen::expression::{Expression, Graph, Input, Symbol, cross, differen
 use ffrf_codegen::fidelity::{EnergyTerm, Fidelity};
 use ffrf_codegen::polynomial::{Polynomial, polynomials_of};
 
-use crate::compare::Equations;
+use ffrf_test_kit::proof::compare::Equations;
 
 /// The named levels and every list of terms.
 pub fn all_fidelities() -> Vec<Fidelity> {

@@ -7,18 +7,12 @@
 // The allowance for tests in clippy.toml covers functions marked as tests, not the helpers beside them.
 #![allow(clippy::unwrap_used)]
 
-mod compare;
-mod dual;
 mod dynamics;
 mod energy;
-mod exact;
 mod formulas;
 mod jacobians;
 mod kernels;
 mod laws;
 mod misprints;
-mod mutated;
 mod passes;
-mod residual;
-mod sample;
 mod tolerances;

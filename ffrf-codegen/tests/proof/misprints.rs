@@ -5,9 +5,9 @@ use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
 use ffrf_codegen::expression::{Expression, Graph};
 use ffrf_codegen::fidelity::Fidelity;
 
-use crate::compare::Equations;
 use crate::formulas::{Misprint, write};
 use crate::laws::power_defect;
+use ffrf_test_kit::proof::compare::Equations;
 
 struct Case {
     graph: Graph,

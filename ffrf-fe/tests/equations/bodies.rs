@@ -8,6 +8,7 @@ use ffrf_fe::SparseMatrix;
 use ffrf_fe::formulations::gcms::{GeneralizedModes, apply_mass};
 use ffrf_fe::formulations::null_space::{FloatingState, flexible_block, rotation_block};
 use ffrf_fe::formulations::rotation::{directors, rotation_matrix};
+use ffrf_test_kit::random::Random;
 
 use crate::check::{self, column};
 use crate::reference;
@@ -200,30 +201,6 @@ impl State {
     }
 }
 
-/// Small reproducible generator (splitmix64), so that a failing case can be made again.
-pub struct Random(pub u64);
-
-impl Random {
-    /// Uniform in [-1, 1).
-    pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    pub fn vector(&mut self) -> [f64; 3] {
-        [self.next(), self.next(), self.next()]
-    }
-
-    pub fn unit_quaternion(&mut self) -> [f64; 4] {
-        let raw = [self.next(), self.next(), self.next(), self.next()];
-        let norm = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
-        raw.map(|x| x / norm)
-    }
-}
-
 pub fn sparse(matrix: MatRef<'_, f64>) -> SparseMatrix {
     let entries: Vec<_> = (0..matrix.ncols())
         .flat_map(|j| (0..matrix.nrows()).map(move |i| (i, j)))
@@ -252,20 +229,26 @@ pub fn bars(positions: &[[f64; 3]], pairs: &[(usize, usize, f64)]) -> Mat<f64> {
     k
 }
 
+fn unit_quaternion(random: &mut Random) -> [f64; 4] {
+    let raw = [0; 4].map(|_| random.number());
+    let norm = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
+    raw.map(|x| x / norm)
+}
+
 /// A body without any symmetry: dense mass, eccentric frame, modes that are not orthogonal.
 pub fn random_body(mode_count: usize, seed: u64) -> Body {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let nodes = 9;
     let positions: Vec<_> = (0..nodes)
         .map(|_| random.vector())
         .map(|[x, y, z]| [x + 0.8, 0.7 * y - 0.4, 0.5 * z + 0.3])
         .collect();
-    let root = Mat::from_fn(nodes, nodes, |i, j| if i == j { 1.5 } else { 0.4 * random.next() });
+    let root = Mat::from_fn(nodes, nodes, |i, j| if i == j { 1.5 } else { 0.4 * random.number() });
     let mass = &root * root.transpose();
-    let shapes = Mat::from_fn(3 * nodes, mode_count, |_, _| random.next());
+    let shapes = Mat::from_fn(3 * nodes, mode_count, |_, _| random.number());
     let pairs: Vec<_> = (0..nodes)
         .flat_map(|n| (0..n).map(move |m| (n, m)))
-        .map(|(n, m)| (n, m, 50.0 * (1.5 + random.next())))
+        .map(|(n, m)| (n, m, 50.0 * (1.5 + random.number())))
         .collect();
     let stiffness = bars(&positions, &pairs);
     let name = format!("random body with {mode_count} modes");
@@ -278,23 +261,23 @@ pub fn truss() -> Body {
     let stiffness = bars(&positions, &[(0, 1, 300.0), (1, 2, 220.0)]);
     let mass = [[0.5, 0.25, 0.0], [0.25, 1.2, 0.35], [0.0, 0.35, 0.7]];
     let mass = Mat::from_fn(3, 3, |i, j| mass[i][j]);
-    let mut random = Random(5);
-    let shapes = Mat::from_fn(9, 2, |_, _| random.next());
+    let mut random = Random::new(5);
+    let shapes = Mat::from_fn(9, 2, |_, _| random.number());
     Body::new("truss of three nodes", positions, shapes, sparse(mass.as_ref()), sparse(stiffness.as_ref()))
 }
 
 /// Runs a test on every body in several states: large rotations, displacements up to 0.3 of the body.
 pub fn each_state(mut test: impl FnMut(&Body, &State)) {
     for (index, body) in all().iter().enumerate() {
-        let mut random = Random(100 + index as u64);
+        let mut random = Random::new(100 + index as u64);
         let size = body.positions.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
         let states = if body.positions.len() < 20 { 4 } else { 1 };
         check::judge_for(body.kind);
         for _ in 0..states {
-            let theta = random.unit_quaternion();
+            let theta = unit_quaternion(&mut random);
             let omega = random.vector().map(|x| 2.0 * x);
-            let raw: Vec<f64> = (0..body.mode_count()).map(|_| random.next()).collect();
-            let q_dot: Vec<f64> = (0..body.mode_count()).map(|_| random.next()).collect();
+            let raw: Vec<f64> = (0..body.mode_count()).map(|_| random.number()).collect();
+            let q_dot: Vec<f64> = (0..body.mode_count()).map(|_| random.number()).collect();
             let displacement = (&body.shapes * column(&raw)).norm_max();
             let q = raw.iter().map(|x| 0.3 * size / displacement * x).collect();
             let state = State::new(theta, omega, q, q_dot);

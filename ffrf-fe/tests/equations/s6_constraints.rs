@@ -4,8 +4,9 @@ use faer::Mat;
 use ffrf_fe::formulations::constraints::{self, Triad};
 use ffrf_fe::formulations::null_space::projection;
 use ffrf_fe::formulations::rotation::{axial, skew};
+use ffrf_test_kit::random::Random;
 
-use crate::bodies::{Random, State, each_state};
+use crate::bodies::{State, each_state};
 use crate::check::{VISIBLE, block, column, different, equal, identity, scaled, transposed, vanishes};
 
 /// [C_r; C_f,1; ...] as a function of all 12 + 9M coordinates, (65) and (69).
@@ -155,7 +156,7 @@ fn equation_075_rotation_block() {
 
 #[test]
 fn equations_076_077_cross_product_matrix_and_its_inverse() {
-    let mut random = Random(1);
+    let mut random = Random::new(1);
     let (w, u) = (random.vector(), random.vector());
     let crossed = [w[1] * u[2] - w[2] * u[1], w[2] * u[0] - w[0] * u[2], w[0] * u[1] - w[1] * u[0]];
     equal(&(skew(w) * column(&u)), &column(&crossed));
@@ -164,7 +165,7 @@ fn equations_076_077_cross_product_matrix_and_its_inverse() {
 
 #[test]
 fn equation_078_axial_vector_by_components() {
-    let w = Random(2).vector();
+    let w = Random::new(2).vector();
     let matrix = skew(w);
     let epsilon = |i: usize, j: usize, k: usize| {
         ((i as f64) - (j as f64)) * ((j as f64) - (k as f64)) * ((k as f64) - (i as f64)) / 2.0

@@ -3,8 +3,9 @@
 use faer::Mat;
 use ffrf_fe::formulations::null_space::projection;
 use ffrf_fe::formulations::rotation::{block_diagonal, cross, skew};
+use ffrf_test_kit::random::Random;
 
-use crate::bodies::{Body, Part, Random, State, each_body, each_state};
+use crate::bodies::{Body, Part, State, each_body, each_state};
 use crate::check::{
     as_vector, block, column, different, equal, equal_within, largest, misprints_show, sum, vanishes,
 };
@@ -146,11 +147,11 @@ fn equations_196_197_198_nonlinear_forces_cancel_what_187_drops() {
 
 /// A force at each of two nodes, inertial components.
 fn load(body: &Body) -> Mat<f64> {
-    let mut random = Random(77);
+    let mut random = Random::new(77);
     let mut forces = Mat::zeros(3 * body.positions.len(), 1);
     for node in [0, body.positions.len() - 1] {
         for i in 0..3 {
-            forces[(3 * node + i, 0)] = random.next();
+            forces[(3 * node + i, 0)] = random.number();
         }
     }
     forces

@@ -2,8 +2,9 @@
 
 use faer::Mat;
 use ffrf_fe::formulations::rotation::{axial, cross, dot, skew};
+use ffrf_test_kit::random::Random;
 
-use crate::bodies::{Body, Part, Random, State, each_state};
+use crate::bodies::{Body, Part, State, each_state};
 use crate::check::{block, column, different, equal, identity, outer, scaled, sum, transposed};
 
 /// tr(T) I - Tᵀ: the true Θ of (133), (136), (138). The print lacks the transpose.
@@ -125,7 +126,7 @@ fn equations_143_144_vectors_from_tensors() {
 
 #[test]
 fn equation_145_jacobi_identity() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let (a, b, v) = (random.vector(), random.vector(), random.vector());
     let twice = |x, y, z| column(&cross(x, cross(y, z)));
     equal(&(twice(a, b, v) + twice(b, v, a)), &scaled(-1.0, &twice(v, a, b)));
@@ -135,7 +136,7 @@ fn equation_145_jacobi_identity() {
 
 #[test]
 fn equation_146_product_of_cross_product_matrices() {
-    let mut random = Random(8);
+    let mut random = Random::new(8);
     let (a, b) = (random.vector(), random.vector());
     let product = skew(a) * skew(b);
     equal(&product, &(outer(b, a) - scaled(dot(a, b), &identity(3))));

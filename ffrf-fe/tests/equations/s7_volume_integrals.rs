@@ -7,8 +7,8 @@ use ffrf_fe::formulations::gcms::gram_matrix;
 use ffrf_fe::formulations::quadrature::{LumpedMass, ShapeIntegrals, element_points, shape_integrals};
 use ffrf_fe::import::{ModelFiles, NodeSource, read_model};
 use ffrf_fe::{Element, ElementKind};
+use ffrf_test_kit::random::Random;
 
-use crate::bodies::Random;
 use crate::check::{column, equal};
 
 const DENSITY: f64 = 7.85;
@@ -22,9 +22,9 @@ struct Mesh {
 
 /// Corners of a distorted cube, numbered as the hexahedron.
 fn corners() -> Vec<[f64; 3]> {
-    let mut random = Random(31);
+    let mut random = Random::new(31);
     [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]
-        .map(|corner: [i32; 3]| corner.map(|x| f64::from(x) + 0.15 * random.next()))
+        .map(|corner: [i32; 3]| corner.map(|x| f64::from(x) + 0.15 * random.number()))
         .to_vec()
 }
 
@@ -73,8 +73,8 @@ fn meshes() -> Vec<(ElementKind, Mesh)> {
                 .iter()
                 .map(|nodes| Element { kind, nodes: with_middles(&mut positions, nodes, edges) })
                 .collect();
-            let mut random = Random(41);
-            let shapes = Mat::from_fn(3 * positions.len(), MODES, |_, _| random.next());
+            let mut random = Random::new(41);
+            let shapes = Mat::from_fn(3 * positions.len(), MODES, |_, _| random.number());
             (kind, Mesh { positions, elements, shapes })
         })
         .collect()
@@ -179,8 +179,8 @@ fn equations_112_122_quadrature_agrees_with_the_mass_matrix_of_calculix() {
     let model = read_model(&files).expect("the connecting rod can be read");
     let positions = &model.nodes.positions;
     let density = 7850.0;
-    let mut random = Random(43);
-    let shapes = Mat::from_fn(3 * positions.len(), 2, |_, _| random.next());
+    let mut random = Random::new(43);
+    let shapes = Mat::from_fn(3 * positions.len(), 2, |_, _| random.number());
     let integrals = shape_integrals(positions, &model.elements, density, shapes.as_ref()).expect("sound");
     let gram = gram_matrix(positions, shapes.as_ref(), &model.mass);
     let reach = positions.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));

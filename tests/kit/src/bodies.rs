@@ -4,6 +4,7 @@ use ffrf_runtime::Marker;
 use ffrf_runtime::nalgebra::{SVector, Vector3};
 
 use crate::naive_body::{Invariants, NaiveBody};
+use crate::random::Random;
 
 /// A cloud of eight point masses with `M` modes, without any symmetry, from a seeded sequence.
 ///
@@ -14,18 +15,18 @@ pub fn cloud<const M: usize, const N: usize>(
     stiffness: f64,
     damping: f64,
 ) -> (NaiveBody<M, N>, [Marker<SVector<f64, M>>; 8]) {
-    let mut random = Sequence(seed);
-    let masses: [f64; 8] = core::array::from_fn(|_| 1.0 + 0.5 * random.next());
+    let mut random = Random::new(seed);
+    let masses: [f64; 8] = core::array::from_fn(|_| 1.0 + 0.5 * random.number());
     let mut markers = [Marker::rigid(Vector3::zeros(), &SVector::zeros()); 8];
     for marker in &mut markers {
-        marker.position = Vector3::from_fn(|_, _| 0.3 + random.next());
+        marker.position = Vector3::from_fn(|_, _| 0.3 + random.number());
     }
     for marker in &mut markers {
         // drawn mode by mode, kept axis by axis
         for rows in [&mut marker.translation, &mut marker.rotation] {
             for mu in 0..M {
                 for row in rows.iter_mut() {
-                    row[mu] = 0.5 * random.next();
+                    row[mu] = 0.5 * random.number();
                 }
             }
         }
@@ -35,8 +36,8 @@ pub fn cloud<const M: usize, const N: usize>(
 
 /// The masses of the points of [`cloud`].
 pub fn cloud_masses(seed: u64) -> [f64; 8] {
-    let mut random = Sequence(seed);
-    core::array::from_fn(|_| 1.0 + 0.5 * random.next())
+    let mut random = Random::new(seed);
+    core::array::from_fn(|_| 1.0 + 0.5 * random.number())
 }
 
 /// ∫ρ becomes a sum over points with these masses.
@@ -98,14 +99,4 @@ pub fn rigid_about(mass: f64, centre: Vector3<f64>, principal: Vector3<f64>) -> 
 
 fn tensor(entry: impl Fn(usize, usize) -> f64) -> [[f64; 3]; 3] {
     core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)))
-}
-
-/// Numbers in (-1, 1) from a linear congruential generator (Knuth's MMIX constants).
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
 }

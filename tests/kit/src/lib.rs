@@ -30,3 +30,6 @@ mod filled;
 pub mod interpreted_body;
 #[cfg(feature = "codegen")]
 pub mod witness;
+
+#[cfg(feature = "proof")]
+pub mod proof;

@@ -19,6 +19,11 @@ impl Random {
         bits as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
+    /// Three numbers in -1..1.
+    pub fn vector(&mut self) -> [f64; 3] {
+        [self.number(), self.number(), self.number()]
+    }
+
     /// A list of numbers in -1..1.
     pub fn numbers(&mut self, count: usize) -> Vec<f64> {
         (0..count).map(|_| self.number()).collect()

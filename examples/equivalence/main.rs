@@ -3,11 +3,11 @@
 //! Prints and draws how their motions converge to each other: with the step, with the modes, and with the amplitude
 //! for what a formulation neglects. The figures stand in `docs/theory`.
 //!
-//! `cargo run -p ffrf-fe --example equivalence [folder for the figures]`
+//! `cargo run --example equivalence [folder for the figures]`
 
 mod bodies;
 mod pendulum;
-#[path = "../../../examples/free_conrod/plot.rs"]
+#[path = "../free_conrod/plot.rs"]
 mod plot;
 
 use std::error::Error;
@@ -20,7 +20,7 @@ use plot::{Axes, Line, Panel, Size, draw};
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args()
         .nth(1)
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/theory/figures"), PathBuf::from);
+        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/theory/figures"), PathBuf::from);
     std::fs::create_dir_all(&folder)?;
     same_motion(&folder)?;
     step_size(&folder)?;

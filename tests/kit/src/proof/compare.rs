@@ -6,11 +6,14 @@ use ffrf_codegen::polynomial::{Polynomial, polynomials_of};
 
 /// Mass matrix (rows, then columns) and quadratic velocity vector, as polynomials.
 pub struct Equations {
+    /// Shape: N x N.
     pub mass_matrix: Vec<Vec<Polynomial<Symbol>>>,
+    /// Shape: N.
     pub quadratic_velocity: Vec<Polynomial<Symbol>>,
 }
 
 impl Equations {
+    /// The polynomials of these expressions.
     pub fn of(graph: &Graph, mass_matrix: &[Vec<Expression>], quadratic_velocity: &[Expression]) -> Self {
         let entries: Vec<Expression> =
             mass_matrix.iter().flatten().chain(quadratic_velocity).copied().collect();
@@ -22,6 +25,7 @@ impl Equations {
         Self { mass_matrix, quadratic_velocity }
     }
 
+    /// The polynomials of what the energy implies.
     pub fn derived(graph: &Graph, equations: &EulerPoincare) -> Self {
         Self::of(graph, &equations.mass_matrix, &equations.quadratic_velocity)
     }

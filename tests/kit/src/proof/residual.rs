@@ -5,8 +5,8 @@ use ffrf_codegen::expression::{Expression, Graph, Input, Symbol, evaluate};
 use num_rational::BigRational;
 use num_traits::Zero;
 
-use crate::exact::Exact;
-use crate::sample::value;
+use crate::proof::exact::Exact;
+use crate::proof::sample::value;
 
 /// M w + Q + [0; 0; internal] - force with the derived M and Q.
 ///

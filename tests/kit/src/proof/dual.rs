@@ -7,7 +7,9 @@ use ffrf_codegen::expression::Scalar;
 /// A value and its derivative in one direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dual {
+    /// a.
     pub value: f64,
+    /// b.
     pub slope: f64,
 }
 
