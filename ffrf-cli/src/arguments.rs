@@ -5,6 +5,8 @@ mod code;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand};
+use ffrf_fe::import::{INFLATED_LIMIT, MassForm};
+use ffrf_model::Units;
 
 pub use code::{Generate, Inspect};
 
@@ -69,7 +71,7 @@ const VERIFY_EXAMPLE: &str = "\
 Example:
   ffrf verify --nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt body.ffrf.json
 
-Give the files and the mode choice that `ffrf reduce` was given.";
+Give the files, units and mode choice that `ffrf reduce` was given.";
 
 /// The files of a finite-element model.
 #[derive(Debug, Args)]
@@ -97,6 +99,22 @@ pub struct FeFiles {
     /// ANSYS node-to-dof mapping vector.
     #[arg(long, value_name = "MAPPING.txt", conflicts_with_all = ["nodes", "abaqus", "calculix"])]
     pub mapping: Option<PathBuf>,
+    /// What a mass matrix holds whose file does not say it, such as a list without a header: `scalar` (one row a
+    /// node) or `full` (three).
+    #[arg(long, value_name = "FORM", value_parser = parse_mass_form, default_value = "declared", hide_default_value = true)]
+    pub mass_form: MassForm,
+    /// Accept nodes that have stiffness and no mass, or mass and no stiffness.
+    #[arg(long)]
+    pub allow_massless: bool,
+    /// Largest size of a compressed file when inflated, in bytes.
+    #[arg(long, value_name = "BYTES", default_value_t = INFLATED_LIMIT)]
+    pub inflated_limit: u64,
+    /// Which units the files are in: `SI`, or length, mass, time such as `mm,t,s` (default: not known).
+    #[arg(long, value_name = "UNITS")]
+    pub units: Option<Units>,
+    /// Convert to these units.
+    #[arg(long, value_name = "UNITS", requires = "units")]
+    pub convert_to: Option<Units>,
 }
 
 /// Which modes.
@@ -144,9 +162,6 @@ pub struct Reduce {
     /// A line for people (default: name of the node file).
     #[arg(long)]
     pub title: Option<String>,
-    /// Which units the files are in; a note, never interpreted.
-    #[arg(long, default_value = "SI: m, kg, s, N")]
-    pub units: String,
     /// Where to write the reduced body.
     #[arg(short, long, value_name = "BODY.ffrf.json")]
     pub output: PathBuf,
@@ -205,6 +220,15 @@ fn parse_marker(text: &str) -> Result<MarkerArgument, String> {
         return Err("expected a node after `=`".to_owned());
     }
     Ok(MarkerArgument { name: name.to_owned(), nodes: nodes.to_owned() })
+}
+
+fn parse_mass_form(text: &str) -> Result<MassForm, String> {
+    match text {
+        "declared" => Ok(MassForm::Declared),
+        "scalar" => Ok(MassForm::Scalar),
+        "full" => Ok(MassForm::Full),
+        _ => Err("expected `scalar` or `full`".to_owned()),
+    }
 }
 
 fn parse_pair(text: &str) -> Result<(f64, f64), String> {
@@ -271,6 +295,9 @@ mod tests {
             "--nodes X --mass M --modes 1 -o b --marker tip",
             "--nodes X --mass M --modes 1 -o b --marker 1=1",
             "--nodes X --mass M --modes 1 -o b --mapping map.txt",
+            "--nodes X --mass M --modes 1 -o b --mass-form half",
+            "--nodes X --mass M --modes 1 -o b --units mm",
+            "--nodes X --mass M --modes 1 -o b --convert-to SI",
         ];
         for form in refused {
             assert_eq!(reduce(form).unwrap_err().exit_code(), 2, "{form}");

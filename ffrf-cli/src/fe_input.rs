@@ -4,8 +4,10 @@ use std::fmt::Write;
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use ffrf_fe::import::{ModelFiles, NodeSource, read_model};
+use ffrf_fe::import::{Import, ImportOptions, ModelFiles, NodeSource, read_model_with};
+use ffrf_fe::units::{Conversion, implausible};
 use ffrf_fe::{FeModel, Nodes};
+use ffrf_model::Units;
 
 use crate::arguments::FeFiles;
 
@@ -15,6 +17,16 @@ impl FeFiles {
         let path =
             [&self.nodes, &self.abaqus, &self.calculix, &self.ansys].into_iter().find_map(Option::as_deref);
         path.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
+    }
+
+    /// The conversion that is asked for.
+    pub fn conversion(&self) -> Option<Conversion> {
+        Some(Conversion::new(self.units.as_ref()?, self.convert_to.as_ref()?))
+    }
+
+    /// The units of the body.
+    pub fn body_units(&self) -> Option<Units> {
+        self.convert_to.or(self.units)
     }
 
     fn node_source(&self) -> Result<NodeSource> {
@@ -31,14 +43,34 @@ impl FeFiles {
     }
 }
 
-/// Reads and checks the model.
+/// Reads and checks the model, and converts it if that is asked for. Remarks go to standard error.
 pub fn read(files: &FeFiles) -> Result<FeModel> {
+    let options = ImportOptions {
+        mass_form: files.mass_form,
+        allow_massless: files.allow_massless,
+        inflated_limit: files.inflated_limit,
+    };
+    let conversion = files.conversion();
     let files = ModelFiles {
         nodes: files.node_source()?,
         mass: files.mass.clone(),
         stiffness: files.stiffness.clone(),
     };
-    Ok(read_model(&files)?)
+    let Import { mut model, notes } = read_model_with(&files, &options)?;
+    for note in &notes {
+        eprintln!("{note}");
+    }
+    if let Some(conversion) = conversion {
+        conversion.model(&mut model);
+    }
+    Ok(model)
+}
+
+/// Warns on standard error of numbers that no solid has in the units of the body.
+pub fn warn_of_units(model: &FeModel, units: Option<Units>, frequency: Option<f64>) {
+    for remark in implausible(model, units, frequency) {
+        eprintln!("warning: {remark}");
+    }
 }
 
 /// What was found in the files, in a few lines.

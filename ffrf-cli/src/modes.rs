@@ -4,15 +4,24 @@ use anyhow::{Context, Result, bail};
 use ffrf_fe::FeModel;
 use ffrf_fe::import::read_mode_shapes;
 use ffrf_fe::modes::{ModeRequest, ModeSolution, compute_modes, user_modes};
+use ffrf_fe::units::Conversion;
 
 use crate::arguments::ModeChoice;
 use crate::fe_input::node_rows;
 use crate::progress::Teller;
 
-/// The modes that were asked for; `default_count` eigenmodes if the command line names none.
-pub fn solve(model: &FeModel, choice: &ModeChoice, default_count: Option<usize>) -> Result<ModeSolution> {
+/// The modes that were asked for, those of a file converted; `default_count` eigenmodes if the command line names none.
+pub fn solve(
+    model: &FeModel,
+    choice: &ModeChoice,
+    default_count: Option<usize>,
+    conversion: Option<Conversion>,
+) -> Result<ModeSolution> {
     if let Some(path) = &choice.mode_shapes {
-        let shapes = read_mode_shapes(path, model.nodes.len())?;
+        let mut shapes = read_mode_shapes(path, model.nodes.len())?;
+        if let Some(conversion) = conversion {
+            conversion.shapes(&mut shapes);
+        }
         return user_modes(model, shapes).with_context(|| format!("{}", path.display()));
     }
     let Some(count) = choice.modes.or(default_count) else {

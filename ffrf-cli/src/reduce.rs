@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use ffrf_fe::Nodes;
 use ffrf_fe::import::{read_square_matrix, source_file};
-use ffrf_fe::reduction::{Damping, MarkerRequest, ReductionOptions, reduce};
+use ffrf_fe::reduction::{Damping, MODE_SHAPES, MarkerRequest, ReductionOptions, reduce};
 
 use crate::arguments::{MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
@@ -15,18 +15,24 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     let say = |text: &str| output::say_beside(&arguments.output, text);
     say(&format!("{}\n", fe_input::describe(&model)))?;
     let mut options = options(arguments, &model.nodes)?;
-    let solution = modes::solve(&model, &arguments.choice, None)?;
+    let solution = modes::solve(&model, &arguments.choice, None, arguments.files.conversion())?;
     if let Some(path) = &arguments.modal_stiffness {
-        options.modal_stiffness = Some(read_square_matrix(path, solution.basis.modes.len())?);
+        let mut stiffness = read_square_matrix(path, solution.basis.modes.len())?;
+        if let Some(conversion) = arguments.files.conversion() {
+            conversion.modal_stiffness(&mut stiffness);
+        }
+        options.modal_stiffness = Some(stiffness);
     }
     let extra =
-        [("mode shapes", &arguments.choice.mode_shapes), ("modal stiffness", &arguments.modal_stiffness)];
+        [(MODE_SHAPES, &arguments.choice.mode_shapes), ("modal stiffness", &arguments.modal_stiffness)];
     for (role, path) in extra {
         if let Some(path) = path {
             model.sources.push(source_file(path, role)?);
         }
     }
     say(&format!("{}\n", solution.report))?;
+    let first = solution.report.modes.first().and_then(|mode| mode.frequency_hz);
+    fe_input::warn_of_units(&model, arguments.files.body_units(), first);
     let body = reduce(&model, &solution.basis, &options)?;
     let checks = body.check()?;
     checks.verdict()?;
@@ -43,7 +49,7 @@ fn options(arguments: &Reduce, nodes: &Nodes) -> Result<ReductionOptions> {
     };
     Ok(ReductionOptions {
         title: arguments.title.clone().unwrap_or_else(|| arguments.files.name()),
-        units: arguments.units.clone(),
+        units: arguments.files.body_units(),
         damping,
         markers: arguments.markers.iter().map(|marker| request(marker, nodes)).collect::<Result<_>>()?,
         modal_stiffness: None,

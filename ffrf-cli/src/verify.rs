@@ -26,7 +26,8 @@ pub fn run(arguments: &Verify) -> Result<()> {
     let kernels = GeneratedKernels::new(&body, &GenerateOptions::default())
         .with_context(|| format!("{}", arguments.model.display()))?;
     let model = fe_input::read(&arguments.files)?;
-    let solution = modes::solve(&model, &arguments.choice, Some(body.mode_count()))?;
+    let solution =
+        modes::solve(&model, &arguments.choice, Some(body.mode_count()), arguments.files.conversion())?;
     let oracle = Oracle::new(&model, &solution.basis)?;
     if oracle.mode_count() != body.mode_count() {
         bail!(

@@ -16,6 +16,14 @@ pub enum FeError {
     /// The reduced body contradicts itself.
     #[error(transparent)]
     Model(#[from] ffrf_model::ModelError),
+    /// The body of mode shapes that the user supplied contradicts itself, such as modes that repeat each other.
+    #[error("{file}: {fault}")]
+    UserModes {
+        /// Name of the file with the mode shapes.
+        file: String,
+        /// What is wrong.
+        fault: Box<ffrf_model::ModelError>,
+    },
     /// An element is not usable.
     #[error(transparent)]
     Element(#[from] crate::elements::ElementError),

@@ -13,6 +13,7 @@ pub mod modes;
 pub mod oracle;
 pub mod reduction;
 mod sparse;
+pub mod units;
 
 pub use error::FeError;
 pub use fe_model::{Element, ElementKind, FeModel, Nodes};

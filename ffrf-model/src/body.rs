@@ -18,7 +18,8 @@ pub struct ReducedBody {
     pub schema_version: u32,
     /// A line for people.
     pub title: String,
-    /// Which units the numbers are in, in words; never interpreted.
+    /// Which units the numbers are in: as [`Units`](crate::Units) prints them, such as `mm, t, s, N`, or
+    /// [`UNKNOWN_UNITS`](crate::UNKNOWN_UNITS). Other texts are for people.
     pub units: String,
     /// Which tool made the body, from which files.
     pub provenance: Provenance,

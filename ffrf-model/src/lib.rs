@@ -18,6 +18,7 @@ mod output;
 mod shape;
 mod stable_step;
 mod tolerances;
+mod units;
 
 pub use body::{Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile};
 pub use check::{Check, CheckReport, Limit, is_valid_marker_name};
@@ -25,3 +26,4 @@ pub use error::ModelError;
 pub use inertia::{Inertia, Matrix3, Vector3};
 pub use mode_selection::ModeSelection;
 pub use output::write_file;
+pub use units::{UNKNOWN_UNITS, Units, UnitsError};

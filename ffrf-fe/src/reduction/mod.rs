@@ -11,4 +11,4 @@ mod stiffness;
 
 pub use error::ReductionError;
 pub use options::{Damping, MarkerRequest, ReductionOptions};
-pub use reduce::reduce;
+pub use reduce::{MODE_SHAPES, reduce};

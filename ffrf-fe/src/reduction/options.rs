@@ -1,14 +1,15 @@
 //! What the user asks of the reduction.
 
 use faer::Mat;
+use ffrf_model::Units;
 
 /// What the reduced body is called, how it is damped and where it is seen.
 #[derive(Debug, Clone)]
 pub struct ReductionOptions {
     /// A line for people.
     pub title: String,
-    /// Which units the numbers are in, in words.
-    pub units: String,
+    /// Which units the numbers are in, if that is known.
+    pub units: Option<Units>,
     /// Modal damping.
     pub damping: Damping,
     /// Points where forces act and where motion is observed.
@@ -21,7 +22,7 @@ impl Default for ReductionOptions {
     fn default() -> Self {
         Self {
             title: String::new(),
-            units: "SI: m, kg, s, N".to_owned(),
+            units: None,
             damping: Damping::None,
             markers: Vec::new(),
             modal_stiffness: None,

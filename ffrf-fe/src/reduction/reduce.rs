@@ -1,7 +1,9 @@
 //! The reduction itself.
 
 use faer::Mat;
-use ffrf_model::{Inertia, Provenance, ReducedBody, SCHEMA_VERSION};
+use ffrf_model::{
+    Inertia, Mode, ModeKind, ModelError, Provenance, ReducedBody, SCHEMA_VERSION, UNKNOWN_UNITS,
+};
 
 use crate::modes::ModeError;
 use crate::{FeError, FeModel, ModeBasis};
@@ -11,6 +13,9 @@ use super::invariants::inertia_of;
 use super::marker::make_marker;
 use super::stiffness::modal_stiffness;
 use super::{ReductionError, ReductionOptions, mean_axis};
+
+/// Role of the file with the mode shapes of the user among the sources of a model.
+pub const MODE_SHAPES: &str = "mode shapes";
 
 /// Reduces a finite-element model to the modes of a basis.
 ///
@@ -43,7 +48,7 @@ pub fn reduce(
     let body = ReducedBody {
         schema_version: SCHEMA_VERSION,
         title: options.title.clone(),
-        units: options.units.clone(),
+        units: options.units.map_or_else(|| UNKNOWN_UNITS.to_owned(), |units| units.to_string()),
         provenance: Provenance {
             tool: "ffrf".to_owned(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -55,8 +60,19 @@ pub fn reduce(
         damping: rows(&damping),
         markers,
     };
-    body.check()?.verdict()?;
-    Ok(body)
+    match body.check()?.verdict() {
+        Ok(()) => Ok(body),
+        Err(fault) => Err(blame(fault, model, &basis.modes)),
+    }
+}
+
+/// Names the file of the mode shapes if the user supplied them.
+fn blame(fault: ModelError, model: &FeModel, modes: &[Mode]) -> FeError {
+    let shapes = model.sources.iter().find(|source| source.role == MODE_SHAPES);
+    match shapes.filter(|_| modes.iter().any(|mode| mode.kind == ModeKind::User)) {
+        Some(source) => FeError::UserModes { file: source.file.clone(), fault: Box::new(fault) },
+        None => fault.into(),
+    }
 }
 
 /// Θ_ff = [tr T_μν].

@@ -66,7 +66,7 @@ fn node_ids_of_an_array_are_different() {
     let ids = |second: f64| {
         let folder = Folder::new(&[]);
         let nodes = [7.0, 0.0, 0.0, 0.0, second, 1.0, 0.0, 0.0];
-        std::fs::write(folder.path("x.npy"), super::formats::npy(&nodes, &[2, 4])).unwrap();
+        std::fs::write(folder.path("x.npy"), formats::npy(&nodes, &[2, 4])).unwrap();
         std::fs::write(folder.path("m.mtx"), list(&full_mass(), |_, _| true).join("\n") + "\n").unwrap();
         folder.with_nodes(NodeSource::Numpy(folder.path("x.npy"))).map(|model| model.nodes.ids)
     };
@@ -142,6 +142,9 @@ fn labels_that_were_raised_do_not_clash_with_a_third_instance() {
     ]);
     let model = folder.with_nodes(NodeSource::Abaqus(folder.path("part.inp"))).unwrap();
     assert_eq!(model.nodes.ids, [1, 2, 4]);
+    std::fs::write(folder.path("part.inp"), text.replace("\n1, 0, 0, 0", "\n0, 0, 0, 0")).unwrap();
+    let model = folder.with_nodes(NodeSource::Abaqus(folder.path("part.inp"))).unwrap();
+    assert_eq!(model.nodes.ids, [0, 1, 2]);
 }
 
 #[test]

@@ -82,7 +82,7 @@ impl<'a> Cursor<'a> {
     /// Reads the next token as a non-negative integer.
     pub(crate) fn unsigned(&mut self, expected: &'static str) -> Result<u64, Defect> {
         self.skip_separators();
-        let (value, end) = ordinary::digits(self.bytes, self.at, 0);
+        let (value, end) = ordinary::digits(self.bytes, self.at);
         let count = end - self.at;
         if count == 0 || count > 19 || !is_token_end(self.bytes.get(end)) {
             return self.defect(DefectKind::Expected(expected));
@@ -93,7 +93,7 @@ impl<'a> Cursor<'a> {
 
     /// Reads the next token as a finite float, correctly rounded.
     ///
-    /// More than 19 digits and very large or small numbers go through the standard library.
+    /// Numbers with the exponent letter of Fortran, `d`, go through the standard library.
     #[inline]
     pub(crate) fn float(&mut self, expected: &'static str) -> Result<f64, Defect> {
         self.skip_separators();

@@ -2,8 +2,6 @@
 
 pub(crate) mod compressed;
 pub(crate) mod cursor;
-mod decimal;
-mod digits;
 pub(crate) mod ordinary;
 mod provenance;
 pub(crate) mod source;

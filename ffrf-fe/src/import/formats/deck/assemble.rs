@@ -41,7 +41,9 @@ pub(super) fn assemble(meshes: &[Mesh], sources: &[Source]) -> Result<NodeTable,
     for mesh in meshes {
         let lookup = NodeLookup::new(&mesh.ids);
         let clash = mesh.ids.iter().any(|id| taken.contains(id));
-        let raise = if clash { nodes.ids.iter().copied().max().unwrap_or(0) } else { 0 };
+        // A label 0 needs one more than the largest label before.
+        let largest = nodes.ids.iter().copied().max().unwrap_or(0);
+        let raise = if clash { largest.saturating_add(u64::from(mesh.ids.contains(&0))) } else { 0 };
         let mut rows = Vec::with_capacity(mesh.ids.len());
         for (local, &id) in mesh.ids.iter().enumerate() {
             // A table keeps the last of equal labels: an earlier one was given again.

@@ -1,0 +1,4 @@
+//! Fuzz target `ansys_nodes`, see `ffrf_fuzz::TARGETS`.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| ffrf_fuzz::run("ansys_nodes", data).assert_sound());
