@@ -1,8 +1,8 @@
-//! Free-free modes of a solid steel brick of 92,000 degrees of freedom: seconds and memory of each phase.
+//! Modes of a solid steel brick of 92,000 degrees of freedom: seconds and memory of each phase.
 //!
-//! `cargo run --release -p ffrf-fe --example brick_modes -- [--divisions 130x17x12] [--modes 20] [--threads 2]
-//! [--write FOLDER] [--no-solve]`. With `--write`, K and M_s are written as plain arrays for other programs
-//! (`benches/peers/brick.sh`).
+//! `cargo run --release -p ffrf-fe --example brick_modes -- [--divisions 130x17x12] [--modes 20] [--clamped]
+//! [--threads 2] [--write FOLDER] [--no-solve]`. With `--clamped`, the face x = 0 is held. With `--write`, K, M_s and
+//! the rows of the held nodes are written as plain arrays for other programs (`benches/peers/brick.sh`).
 
 use std::error::Error;
 use std::fs::{self, File};
@@ -17,6 +17,7 @@ use ffrf_fe::modes::{ModeRequest, Progress, Stage, compute_modes};
 struct Options {
     divisions: [usize; 3],
     modes: usize,
+    clamped: bool,
     threads: usize,
     write: Option<PathBuf>,
     solve: bool,
@@ -36,15 +37,23 @@ fn main() -> Result<(), Box<dyn Error>> {
         3 * model.nodes.len()
     );
     println!("assembly {assembly:.2} s, peak memory {:.0} MB", peak_megabytes());
+    let face: Vec<usize> =
+        (0..model.nodes.len()).filter(|&node| model.nodes.positions[node][0] == 0.0).collect();
     if let (Some(folder), Some(stiffness)) = (&options.write, &model.stiffness) {
         fs::create_dir_all(folder)?;
         write_matrix(folder, "K", stiffness)?;
         write_matrix(folder, "M", &model.mass)?;
+        write_indices(&folder.join("face"), &face)?;
     }
     if !options.solve {
         return Ok(());
     }
-    let request = ModeRequest { threads: options.threads, ..ModeRequest::free_free(options.modes) };
+    let request = if options.clamped {
+        ModeRequest::clamped(options.modes, face)
+    } else {
+        ModeRequest::free_free(options.modes)
+    };
+    let request = ModeRequest { threads: options.threads, ..request };
     let mut phases = Phases { last: Instant::now(), stage: Stage::Ordering, lines: Vec::new() };
     let start = Instant::now();
     let solution = compute_modes(&model, &request, &mut |progress| phases.enter(progress))?;
@@ -54,6 +63,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{line}");
     }
     println!("{}", solution.report);
+    let residuals = solution.report.modes.iter().filter_map(|mode| mode.residual);
+    println!("largest_residual {:.1e}", residuals.fold(0.0_f64, f64::max));
     println!("solve_seconds {seconds:.3}");
     println!("peak_megabytes {:.1}", peak_megabytes());
     for mode in &solution.report.modes {
@@ -89,7 +100,8 @@ impl Phases {
 }
 
 fn parse() -> Result<Options, Box<dyn Error>> {
-    let mut options = Options { divisions: [130, 17, 12], modes: 20, threads: 0, write: None, solve: true };
+    let mut options =
+        Options { divisions: [130, 17, 12], modes: 20, clamped: false, threads: 0, write: None, solve: true };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let mut value = || words.next().ok_or(format!("{word} needs a value"));
@@ -100,6 +112,7 @@ fn parse() -> Result<Options, Box<dyn Error>> {
                     parts.try_into().map_err(|_| "--divisions needs three numbers, as 130x17x12")?;
             }
             "--modes" => options.modes = value()?.parse()?,
+            "--clamped" => options.clamped = true,
             "--threads" => options.threads = value()?.parse()?,
             "--write" => options.write = Some(value()?.into()),
             "--no-solve" => options.solve = false,
@@ -111,15 +124,16 @@ fn parse() -> Result<Options, Box<dyn Error>> {
 
 /// Compressed columns as three little-endian arrays: `NAME.starts`, `NAME.rows` (u64) and `NAME.values` (f64).
 fn write_matrix(folder: &Path, name: &str, matrix: &SparseMatrix) -> std::io::Result<()> {
-    let write_indices = |part: &str, indices: &[usize]| -> std::io::Result<()> {
-        let mut file = BufWriter::new(File::create(folder.join(format!("{name}.{part}")))?);
-        indices.iter().try_for_each(|&index| file.write_all(&(index as u64).to_le_bytes()))?;
-        file.flush()
-    };
-    write_indices("starts", matrix.symbolic().col_ptr())?;
-    write_indices("rows", matrix.symbolic().row_idx())?;
+    write_indices(&folder.join(format!("{name}.starts")), matrix.symbolic().col_ptr())?;
+    write_indices(&folder.join(format!("{name}.rows")), matrix.symbolic().row_idx())?;
     let mut file = BufWriter::new(File::create(folder.join(format!("{name}.values")))?);
     matrix.val().iter().try_for_each(|value| file.write_all(&value.to_le_bytes()))?;
+    file.flush()
+}
+
+fn write_indices(path: &Path, indices: &[usize]) -> std::io::Result<()> {
+    let mut file = BufWriter::new(File::create(path)?);
+    indices.iter().try_for_each(|&index| file.write_all(&(index as u64).to_le_bytes()))?;
     file.flush()
 }
 

@@ -1,15 +1,16 @@
 //! One definite choice of order, of signs, and of the basis within repeated eigenvalues.
 
-use faer::{Mat, Par};
+use faer::Mat;
 
 use super::ModeError;
-use super::block::{product, symmetric_eigen};
+use super::block::rotate;
 use super::problem::Problem;
+use super::symmetric_eigen::symmetric_eigen;
 
 /// Relative distance below which neighbouring eigenvalues count as one repeated eigenvalue.
 ///
 /// Above the solver's accuracy (about 1e-12), below what meshes make of a symmetry that they break.
-const REPEATED: f64 = 1e-8;
+pub(crate) const REPEATED: f64 = 1e-8;
 
 /// Rotates the modes of each repeated eigenvalue so that they follow the coordinate directions.
 ///
@@ -77,10 +78,7 @@ fn diagonalise(
         }
     }
     let (values, rotation) = symmetric_eigen(functional.as_ref())?;
-    let rotated = product(shapes.get(.., start..end), rotation.as_ref(), Par::Seq);
-    for j in 0..size {
-        shapes.col_as_slice_mut(start + j).copy_from_slice(rotated.col_as_slice(j));
-    }
+    rotate(shapes.as_mut().get_mut(.., start..end), rotation.as_ref(), problem.threads);
     let scale = if total > 0.0 { size as f64 / total } else { 1.0 };
     Ok(values.into_iter().map(|value| value * scale).collect())
 }

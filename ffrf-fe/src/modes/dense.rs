@@ -8,9 +8,10 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Mat, MatRef, Par};
 
 use super::ModeError;
-use super::block::{gram, product, symmetric_eigen, symmetrised};
+use super::block::{product, symmetrised};
 use super::problem::Problem;
 use super::rigid::RigidModes;
+use super::symmetric_eigen::symmetric_eigen;
 
 /// Eigenpairs found by a solver, rigid-body modes left out.
 pub(crate) struct Pairs {
@@ -46,7 +47,7 @@ pub(crate) fn lowest(
     let largest = inverse_values.last().copied().unwrap_or(0.0);
     let smallest_finite = 1e-14 * size as f64 * largest;
     let finite = inverse_values.iter().filter(|&&theta| theta > smallest_finite).count();
-    let elastic = finite.min(size - rigid.count());
+    let elastic = finite.min(rigid.most_elastic(problem));
     let count = wanted.min(elastic);
     let mut shapes = Mat::from_fn(size, count, |i, j| vectors[(i, size - 1 - j)]);
     solve_upper_triangular_in_place(lower.transpose(), shapes.as_mut(), par);
@@ -93,17 +94,4 @@ pub(crate) fn cholesky(matrix: MatRef<'_, f64>, what: &str) -> Result<Mat<f64>, 
         size,
     })?;
     Ok(lower)
-}
-
-/// Largest deviation of XᵀMX from the identity.
-pub(crate) fn orthogonality_error(shapes: MatRef<'_, f64>, mass_shapes: MatRef<'_, f64>) -> f64 {
-    let products = gram(shapes, mass_shapes, Par::Seq);
-    let mut error = 0.0_f64;
-    for j in 0..products.ncols() {
-        for i in 0..products.nrows() {
-            let expected = if i == j { 1.0 } else { 0.0 };
-            error = error.max((products[(i, j)] - expected).abs());
-        }
-    }
-    error
 }

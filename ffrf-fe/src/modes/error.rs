@@ -81,13 +81,19 @@ pub enum ModeError {
         size: usize,
     },
     /// A pivot vanished while eigenvalues were counted.
-    #[error("counting eigenvalues: a pivot of the {size} vanished or is not finite")]
+    #[error(
+        "counting eigenvalues: a pivot of the {size} vanished or is not finite; ask for another number of modes, so \
+         that the count is made elsewhere"
+    )]
     ZeroPivot {
         /// Size of the matrix.
         size: usize,
     },
     /// The sparse factor does not fit into memory or into its index type.
-    #[error("the sparse factor of a matrix with {size} rows does not fit into memory")]
+    #[error(
+        "the sparse factor of a matrix with {size} rows does not fit into memory or into its 32-bit indices; use a \
+         coarser mesh, or compute the modes in the finite-element program and give the mode shapes"
+    )]
     FactorTooLarge {
         /// Size of the matrix.
         size: usize,
@@ -99,7 +105,9 @@ pub enum ModeError {
         size: usize,
     },
     /// More modes are wanted than the model has.
-    #[error("{wanted} elastic modes are wanted, but the model has only {available}")]
+    #[error(
+        "{wanted} elastic modes are wanted, but the model has only {available}: ask for at most that many"
+    )]
     TooFewModes {
         /// Modes asked for.
         wanted: usize,
@@ -107,17 +115,36 @@ pub enum ModeError {
         available: usize,
     },
     /// The iteration did not converge.
-    #[error("{converged} of {wanted} modes have converged after {solves} block solves")]
+    #[error(
+        "{converged} of {wanted} modes have converged after {restarts} restarts of the iteration; entries of K or M of \
+         very different size (units mixed up, springs far stiffer than the part) slow it down; ask for fewer modes, or \
+         for the dense method if the model is small"
+    )]
     NotConverged {
         /// Modes asked for, guards included.
         wanted: usize,
         /// Modes converged.
         converged: usize,
-        /// Block solves spent.
-        solves: usize,
+        /// Restarts spent.
+        restarts: usize,
+    },
+    /// The vectors of the iteration do not fit into memory.
+    #[error(
+        "the search for the modes needs {vectors} vectors of {size} values, {} MB, which do not fit into memory; ask \
+         for fewer modes",
+        vectors.saturating_mul(*size) / 131_072
+    )]
+    SubspaceTooLarge {
+        /// Length of each vector.
+        size: usize,
+        /// Number of vectors.
+        vectors: usize,
     },
     /// The Sturm count contradicts the modes found.
-    #[error("{counted} eigenvalues lie below {below_hz} Hz by Sturm count, but {found} were found")]
+    #[error(
+        "{counted} eigenvalues lie below {below_hz} Hz by Sturm count, but {found} were found; ask for some modes more \
+         or fewer, so that the count is made elsewhere; if that does not help, K or M is not positive semidefinite"
+    )]
     ModesMissed {
         /// Eigenvalues below the limit by the signs of pivots.
         counted: usize,
@@ -128,7 +155,8 @@ pub enum ModeError {
     },
     /// The last wanted mode could not be told from its neighbours.
     #[error(
-        "no clear gap follows the last wanted mode among {wanted} modes; ask for another number of modes"
+        "no clear gap follows the last wanted mode among {wanted} modes, all of nearly the same frequency: ask for fewer \
+         modes, so that the last lies before them"
     )]
     NoClearGap {
         /// Modes searched.

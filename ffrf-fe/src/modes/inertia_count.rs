@@ -73,7 +73,7 @@ mod tests {
     #[test]
     fn a_missing_mode_is_noticed() {
         let model = brick([0.3, 0.2, 0.1], [3, 2, 2], &Material::STEEL).expect("a sound brick");
-        let problem = Problem::new(&model, &Support::FreeFree).expect("a free brick");
+        let problem = Problem::new(&model, &Support::FreeFree, 1).expect("a free brick");
         let solution = compute_modes(&model, &ModeRequest::free_free(10), &mut |_| {}).expect("ten modes");
         let mut values: Vec<f64> = solution
             .report

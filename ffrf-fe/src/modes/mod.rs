@@ -2,9 +2,14 @@
 //!
 //! The way through this module: a [`ModeRequest`] on an [`FeModel`](crate::FeModel) becomes a
 //! `Problem` on the degrees of freedom that may move; `rigid` finds the motions without strain;
-//! `dense` or `lanczos` finds the lowest elastic pairs; `canonical` fixes order, signs and the basis
-//! within repeated eigenvalues; `inertia_count` proves that none was missed; `report` says it all.
+//! `dense` or `lanczos` finds the lowest elastic pairs, the latter in a `subspace` that the `operator` makes grow;
+//! `polish` makes them orthonormal to round-off; `canonical` fixes order, signs and the basis
+//! within repeated eigenvalues; `inertia_count` proves that none was missed; `account` and `report` say it all.
+//!
+//! Memory of the sparse solver for n free degrees of freedom and m modes, beside K and M: the factor, and
+//! m + min(m, 128) + 56 vectors of n numbers, of which those that the search needs are touched.
 
+mod account;
 mod basis;
 mod block;
 mod canonical;
@@ -13,15 +18,21 @@ mod error;
 mod factor;
 mod inertia_count;
 mod lanczos;
+mod operator;
 mod ordering;
+mod orthonormal;
 mod participation;
+mod polish;
 mod problem;
+mod products;
 mod random;
 mod report;
 mod request;
 mod rigid;
 mod scale;
 mod solve;
+mod subspace;
+mod symmetric_eigen;
 mod user;
 
 pub use basis::ModeBasis;
@@ -31,7 +42,7 @@ pub use request::{Method, ModeRequest, ModeSolution, Progress, Stage, Support};
 pub use solve::compute_modes;
 pub use user::user_modes;
 
-pub(crate) use block::symmetric_eigen;
 pub(crate) use dense::{cholesky, generalised_eigen};
 pub(crate) use problem::entries;
+pub(crate) use symmetric_eigen::symmetric_eigen;
 pub(crate) use user::times as stiffness_times;

@@ -2,45 +2,57 @@
 
 use faer::{Mat, MatRef, Par};
 
-use crate::{FeModel, SparseMatrix};
+use crate::FeModel;
 
 use super::block::gram;
-use super::problem::mass_times_full;
+use super::problem::{Problem, mass_times_full};
 use super::rigid::rigid_fields;
 
-/// Effective masses of some shapes, and the totals that their sums approach from below.
+/// Effective masses of shapes, and the totals that their sums approach from below.
 pub(crate) struct Participation {
-    /// Per mode: (φᵀ M e_i)² / φᵀMφ. Units: kg.
-    pub mass: Vec<[f64; 3]>,
-    /// Per mode: (φᵀ M (e_i × x))² / φᵀMφ, about the frame origin. Units: kg m².
-    pub inertia: Vec<[f64; 3]>,
+    /// M times the translations along the frame axes and the rotations about them. Shape: rows of Φ x 6.
+    mass_fields: Mat<f64>,
     /// Mass of the part. Units: kg.
     pub total_mass: f64,
     /// Moments of inertia about the frame axes. Units: kg m².
     pub total_inertia: [f64; 3],
 }
 
-/// Participation of `shapes` (3N x M) with M Φ at hand.
-pub(crate) fn participation(
-    model: &FeModel,
-    shapes: MatRef<'_, f64>,
-    mass_shapes: MatRef<'_, f64>,
-) -> Participation {
-    let fields = rigid_fields(&model.nodes.positions, [0.0; 3], 1.0);
-    let factors = gram(fields.as_ref(), mass_shapes, Par::Seq);
-    let modal_masses = modal_masses(shapes, mass_shapes);
-    let effective = |mode: usize, first: usize| {
-        [0, 1, 2].map(|i| {
-            let factor = factors[(first + i, mode)];
-            if modal_masses[mode] > 0.0 { factor * factor / modal_masses[mode] } else { 0.0 }
-        })
-    };
-    let totals = diagonal(&fields, &model.mass);
-    Participation {
-        mass: (0..shapes.ncols()).map(|mode| effective(mode, 0)).collect(),
-        inertia: (0..shapes.ncols()).map(|mode| effective(mode, 3)).collect(),
-        total_mass: totals[0],
-        total_inertia: [totals[3], totals[4], totals[5]],
+/// What one mode takes along.
+pub(crate) struct EffectiveMass {
+    /// (φᵀ M e_i)² / φᵀMφ. Units: kg.
+    pub mass: [f64; 3],
+    /// (φᵀ M (e_i × x))² / φᵀMφ, about the frame origin. Units: kg m².
+    pub inertia: [f64; 3],
+}
+
+impl Participation {
+    /// Of shapes on all degrees of freedom of a model.
+    pub fn new(model: &FeModel) -> Self {
+        let fields = rigid_fields(&model.nodes.positions, [0.0; 3], 1.0);
+        let mass_fields = mass_times_full(&model.mass, &fields);
+        let totals = modal_masses(fields.as_ref(), mass_fields.as_ref());
+        Self { mass_fields, total_mass: totals[0], total_inertia: [totals[3], totals[4], totals[5]] }
+    }
+
+    /// Of shapes on the free degrees of freedom.
+    pub fn on_free(problem: &Problem<'_>) -> Self {
+        let all = Self::new(problem.model);
+        Self { mass_fields: problem.restrict(all.mass_fields.as_ref()), ..all }
+    }
+
+    /// Participation of shapes Φ with φᵀMφ at hand.
+    pub fn of(&self, shapes: MatRef<'_, f64>, modal_masses: &[f64]) -> Vec<EffectiveMass> {
+        let factors = gram(self.mass_fields.as_ref(), shapes, Par::Seq);
+        let effective = |mode: usize, first: usize| {
+            [0, 1, 2].map(|i| {
+                let factor = factors[(first + i, mode)];
+                if modal_masses[mode] > 0.0 { factor * factor / modal_masses[mode] } else { 0.0 }
+            })
+        };
+        (0..modal_masses.len())
+            .map(|mode| EffectiveMass { mass: effective(mode, 0), inertia: effective(mode, 3) })
+            .collect()
     }
 }
 
@@ -49,8 +61,4 @@ pub(crate) fn modal_masses(shapes: MatRef<'_, f64>, mass_shapes: MatRef<'_, f64>
     (0..shapes.ncols())
         .map(|j| (0..shapes.nrows()).map(|i| shapes[(i, j)] * mass_shapes[(i, j)]).sum())
         .collect()
-}
-
-fn diagonal(fields: &Mat<f64>, mass: &SparseMatrix) -> Vec<f64> {
-    modal_masses(fields.as_ref(), mass_times_full(mass, fields).as_ref())
 }

@@ -22,15 +22,19 @@ pub(crate) struct Problem<'a> {
     pub held: Vec<usize>,
     /// Degrees of freedom without mass and without stiffness: they are left out and stay at rest.
     pub loose: Vec<usize>,
+    /// Number of free degrees of freedom whose node has mass: there are no more eigenpairs than that.
+    pub massive: usize,
     /// Number among the free degrees of freedom, or `NOT_FREE`.
     compact: Vec<usize>,
+    /// 1 to work with one thread only.
+    pub threads: usize,
 }
 
 impl<'a> Problem<'a> {
     /// Sorts the degrees of freedom into free, held and loose.
     ///
     /// Errors: [`ModeError::MissingStiffness`], [`ModeError::UnknownNodeRow`], [`ModeError::NothingFree`].
-    pub fn new(model: &'a FeModel, support: &Support) -> Result<Self, ModeError> {
+    pub fn new(model: &'a FeModel, support: &Support, threads: usize) -> Result<Self, ModeError> {
         let stiffness = model.stiffness.as_ref().ok_or(ModeError::MissingStiffness)?;
         let nodes = model.nodes.len();
         let total = 3 * nodes;
@@ -65,11 +69,12 @@ impl<'a> Problem<'a> {
         if free.is_empty() {
             return Err(ModeError::NothingFree { held: held.len() });
         }
+        let massive = free.iter().filter(|&&dof| has_mass[dof / 3]).count();
         let mut compact = vec![NOT_FREE; total];
         for (number, &dof) in free.iter().enumerate() {
             compact[dof] = number;
         }
-        Ok(Self { model, stiffness, free, held, loose, compact })
+        Ok(Self { model, stiffness, free, held, loose, massive, compact, threads })
     }
 
     /// Number of free degrees of freedom.
@@ -93,24 +98,9 @@ impl<'a> Problem<'a> {
         full
     }
 
-    /// M X.
-    pub fn mass_times(&self, shapes: MatRef<'_, f64>) -> Mat<f64> {
-        let product = mass_times_full(&self.model.mass, &self.expand(shapes));
-        if self.free.len() == self.compact.len() { product } else { self.restrict(product.as_ref()) }
-    }
-
-    /// K X.
-    pub fn stiffness_times(&self, shapes: MatRef<'_, f64>) -> Mat<f64> {
-        let full = self.expand(shapes);
-        let mut result = Mat::zeros(self.free.len(), shapes.ncols());
-        for j in 0..shapes.ncols() {
-            let source = full.col_as_slice(j);
-            for (target, &dof) in result.col_as_slice_mut(j).iter_mut().zip(&self.free) {
-                // K is symmetric: its column is its row. Held degrees of freedom are zero in `full`.
-                *target = entries(self.stiffness, dof).map(|(row, value)| value * source[row]).sum();
-            }
-        }
-        result
+    /// As [`Self::expand`], without a copy where every degree of freedom is free.
+    pub fn expand_all(&self, shapes: Mat<f64>) -> Mat<f64> {
+        if self.free.len() == self.compact.len() { shapes } else { self.expand(shapes.as_ref()) }
     }
 
     /// |K| |x|, relative to which a residual K x is round-off.

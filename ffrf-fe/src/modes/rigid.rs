@@ -3,8 +3,9 @@
 use faer::{Mat, Par};
 
 use super::ModeError;
-use super::block::{column_norm, gram, product, subtract_product, symmetric_eigen};
+use super::block::{column_norm, gram, product, subtract_tall_product, tall_gram};
 use super::problem::Problem;
+use super::symmetric_eigen::symmetric_eigen;
 
 /// Mass-orthonormal rigid-body modes on the free degrees of freedom.
 pub(crate) struct RigidModes {
@@ -20,6 +21,7 @@ pub(crate) struct RigidModes {
     pub centre: [f64; 3],
     /// Largest distance from the centre of mass along an axis. Units: m.
     pub size: f64,
+    threads: usize,
 }
 
 impl RigidModes {
@@ -50,7 +52,7 @@ impl RigidModes {
                 if scale > 0.0 { column_norm(forces.as_ref(), j) / scale } else { 0.0 }
             })
             .collect();
-        Ok(Self { shapes, mass_shapes, rayleigh, residuals, centre, size })
+        Ok(Self { shapes, mass_shapes, rayleigh, residuals, centre, size, threads: problem.threads })
     }
 
     /// Number of rigid-body modes that the supports leave.
@@ -58,11 +60,16 @@ impl RigidModes {
         self.shapes.ncols()
     }
 
+    /// No model has more elastic modes than this.
+    pub fn most_elastic(&self, problem: &Problem<'_>) -> usize {
+        problem.massive.saturating_sub(self.count())
+    }
+
     /// X := X - R Rᵀ M X, twice, so that the rest is orthogonal to round-off.
     pub fn remove_from(&self, shapes: &mut Mat<f64>) {
         for _ in 0..2 {
-            let coefficients = gram(self.mass_shapes.as_ref(), shapes.as_ref(), Par::Seq);
-            subtract_product(shapes.as_mut(), self.shapes.as_ref(), coefficients.as_ref(), Par::Seq);
+            let coefficients = tall_gram(self.mass_shapes.as_ref(), shapes.as_ref(), self.threads);
+            subtract_tall_product(shapes.as_mut(), self.shapes.as_ref(), coefficients.as_ref(), self.threads);
         }
     }
 

@@ -3,9 +3,10 @@
 use faer::{Mat, Par};
 
 use super::ModeError;
-use super::block::{gram, product, subtract_product, symmetric_eigen, symmetrised};
+use super::block::{gram, subtract_product, symmetrised};
 use super::problem::Problem;
 use super::rigid::{RigidModes, orthonormalise};
+use super::symmetric_eigen::symmetric_eigen;
 
 /// An upper estimate of the lowest elastic eigenvalue of the unsupported part, (rad/s)².
 ///
@@ -58,20 +59,4 @@ fn quadratic_fields(problem: &Problem<'_>, centre: [f64; 3], size: f64) -> Mat<f
     Mat::from_fn(3 * positions.len(), 18, |dof, column| {
         if dof % 3 == column % 3 { monomials[(dof / 3, column / 3)] } else { 0.0 }
     })
-}
-
-/// Rayleigh-Ritz on the span of `shapes`: eigenvalues ascending, shapes mass-orthonormal.
-///
-/// Errors: [`ModeError::DependentShapes`] if the shapes are linearly dependent.
-pub(crate) fn rayleigh_ritz(
-    problem: &Problem<'_>,
-    shapes: &Mat<f64>,
-) -> Result<(Vec<f64>, Mat<f64>), ModeError> {
-    let mass =
-        symmetrised(gram(shapes.as_ref(), problem.mass_times(shapes.as_ref()).as_ref(), Par::Seq).as_ref());
-    let stiffness = symmetrised(
-        gram(shapes.as_ref(), problem.stiffness_times(shapes.as_ref()).as_ref(), Par::Seq).as_ref(),
-    );
-    let (values, coefficients) = super::dense::generalised_eigen(stiffness.as_ref(), mass.as_ref())?;
-    Ok((values, product(shapes.as_ref(), coefficients.as_ref(), Par::Seq)))
 }

@@ -1,37 +1,30 @@
 //! From a request to modes: choose a solver, check what it found, tell about it.
 
-use std::f64::consts::TAU;
-
-use faer::Mat;
 use faer::sparse::SparseColMat;
-use ffrf_model::{Mode, ModeKind};
 
 use crate::{FeError, FeModel};
 
 use super::ModeError;
-use super::block::column_norm;
-use super::canonical::{settle_repeated, settle_signs};
-use super::dense::{self, Pairs, orthogonality_error};
+use super::account::{Found, account, hertz};
+use super::canonical::{REPEATED, settle_repeated, settle_signs};
+use super::dense::{self, Pairs};
 use super::factor::Analysis;
-use super::inertia_count::{CountingShift, counting_shift, eigenvalues_below};
-use super::lanczos::{self, subspace_size};
+use super::inertia_count::{counting_shift, eigenvalues_below};
+use super::lanczos::{self, Known, subspace_size};
+use super::operator::Operator;
 use super::ordering::order;
-use super::participation::participation;
+use super::polish::polish;
 use super::problem::Problem;
 use super::rigid::RigidModes;
-use super::scale::{elastic_scale, rayleigh_ritz};
-use super::{
-    Method, ModeBasis, ModeEntry, ModeReport, ModeRequest, ModeSolution, Progress, RigidModeEntry, Stage,
-};
+use super::scale::elastic_scale;
+use super::{Method, ModeRequest, ModeSolution, Progress, Stage};
 
 /// Largest problem that [`Method::Automatic`] solves densely: there both methods take about a second.
 const DENSE_LIMIT: usize = 900;
 /// Modes that the dense method returns beyond the wanted ones, to see the gap that follows.
 const GUARD: usize = 4;
 /// How often a search is widened before it is given up.
-const ATTEMPTS: usize = 4;
-/// Eigenvalues below this part of the elastic scale are zero: it is the round-off of a solve, not a spring.
-const ZERO: f64 = 1e-8;
+const ATTEMPTS: usize = 6;
 
 /// Computes the lowest elastic modes of K φ = λ M φ, mass-normalised, in ascending order of frequency.
 ///
@@ -57,34 +50,28 @@ fn solve(
     if request.count == 0 {
         return Err(ModeError::NoModesWanted);
     }
-    let problem = Problem::new(model, &request.support)?;
+    let problem = Problem::new(model, &request.support, request.threads)?;
     let rigid = RigidModes::new(&problem)?;
+    let available = rigid.most_elastic(&problem);
+    if request.count > available {
+        return Err(ModeError::TooFewModes { wanted: request.count, available });
+    }
     let scale = elastic_scale(&problem, &rigid)?;
     rigid.check_unstrained(scale)?;
-    let search = Search { problem: &problem, rigid: &rigid, scale, threads: request.threads };
+    let search = Search { problem: &problem, rigid: &rigid, scale };
     let found = search.run(request, progress)?;
-    let kind = if problem.held.is_empty() { ModeKind::FreeFree } else { ModeKind::Clamped };
-    Ok(search.account(request.count, kind, found))
+    Ok(account(&problem, &rigid, scale, request.count, found))
 }
 
 struct Search<'a> {
     problem: &'a Problem<'a>,
     rigid: &'a RigidModes,
     scale: f64,
-    threads: usize,
-}
-
-struct Found {
-    values: Vec<f64>,
-    shapes: Mat<f64>,
-    limit: CountingShift,
-    counted: usize,
-    method: String,
-    factor_values: usize,
 }
 
 impl Search<'_> {
-    /// Solves, orthonormalises and counts; widens the search while the count tells that modes are missing.
+    /// Solves, orthonormalises and counts; searches on beside the modes found while the count tells that some are
+    /// missing.
     fn run(&self, request: &ModeRequest, progress: &mut dyn FnMut(Progress)) -> Result<Found, ModeError> {
         let size = self.problem.dimension();
         let shift = -self.scale;
@@ -95,8 +82,9 @@ impl Search<'_> {
         let analysis = Analysis::new(&shifted, &ordering.order)?;
         progress(Progress { stage: Stage::Ordering, done: 1, total: 1 });
         let mut shifted = Some(shifted);
+        let mut known = None;
         let mut wanted = request.count;
-        for _ in 0..ATTEMPTS {
+        for attempt in 0..ATTEMPTS {
             let dense = self.is_dense(request.method, wanted);
             let pairs = if dense {
                 dense::lowest(self.problem, self.rigid, shift, wanted + GUARD)?
@@ -105,14 +93,15 @@ impl Search<'_> {
                     Some(matrix) => matrix,
                     None => self.problem.shifted_lower(shift)?,
                 };
-                self.iterate(&analysis, matrix, shift, wanted, progress)?
+                self.iterate(&analysis, matrix, shift, wanted, known.take(), progress)?
             };
-            let (values, shapes) = self.polish(&pairs)?;
+            let complete = pairs.complete;
+            let (values, mut shapes) = polish(self.problem, self.rigid, pairs.shapes)?;
             if values.len() < request.count {
                 return Err(ModeError::TooFewModes { wanted: request.count, available: values.len() });
             }
-            let Some(limit) = counting_shift(&values, request.count, pairs.complete, self.scale) else {
-                wanted += GUARD;
+            let Some(limit) = counting_shift(&values, request.count, complete, self.scale) else {
+                wanted += GUARD << attempt;
                 continue;
             };
             progress(Progress { stage: Stage::Counting, done: 0, total: 1 });
@@ -131,16 +120,22 @@ impl Search<'_> {
                     );
                     (method, values)
                 };
-                return self.settle(Found { values, shapes, limit, counted, method, factor_values });
+                let last = values[request.count - 1];
+                let cut_repeated =
+                    values.get(request.count).is_some_and(|next| next - last <= REPEATED * next.abs());
+                settle_repeated(self.problem, &values, &mut shapes)?;
+                settle_signs(&mut shapes);
+                return Ok(Found { values, shapes, limit, counted, method, factor_values, cut_repeated });
             }
-            if counted < expected || pairs.complete || dense {
+            if counted < expected || complete || dense {
                 return Err(ModeError::ModesMissed {
                     counted,
                     found: expected,
                     below_hz: hertz(limit.shift),
                 });
             }
-            wanted += counted - expected;
+            shapes.truncate(size, limit.below);
+            known = Some(Known { shapes, values: values[..limit.below].to_vec() });
         }
         Err(ModeError::NoClearGap { wanted })
     }
@@ -163,92 +158,16 @@ impl Search<'_> {
         shifted: SparseColMat<u32, f64>,
         shift: f64,
         wanted: usize,
+        known: Option<Known>,
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Pairs, ModeError> {
         progress(Progress { stage: Stage::Factorising, done: 0, total: 1 });
         let factor = analysis.factorise(&shifted)?;
         drop(shifted);
         progress(Progress { stage: Stage::Factorising, done: 1, total: 1 });
-        lanczos::lowest(self.problem, self.rigid, &factor, shift, wanted, self.threads, &mut |done| {
+        let operator = Operator { problem: self.problem, rigid: self.rigid, factor: &factor, shift };
+        lanczos::lowest(&operator, wanted, known, &mut |done| {
             progress(Progress { stage: Stage::Iterating, done, total: wanted });
         })
     }
-
-    /// Removes what is left of rigid motion, then Rayleigh-Ritz: orthonormal shapes to round-off.
-    fn polish(&self, pairs: &Pairs) -> Result<(Vec<f64>, Mat<f64>), ModeError> {
-        let mut shapes = pairs.shapes.clone();
-        if shapes.ncols() == 0 {
-            return Ok((Vec::new(), shapes));
-        }
-        self.rigid.remove_from(&mut shapes);
-        let (values, mut shapes) = rayleigh_ritz(self.problem, &shapes)?;
-        self.rigid.remove_from(&mut shapes);
-        Ok((values, shapes))
-    }
-
-    fn settle(&self, mut found: Found) -> Result<Found, ModeError> {
-        settle_repeated(self.problem, &found.values, &mut found.shapes)?;
-        settle_signs(&mut found.shapes);
-        Ok(found)
-    }
-
-    /// Fills the report and keeps the wanted modes.
-    fn account(&self, count: usize, kind: ModeKind, found: Found) -> ModeSolution {
-        let kept = found.shapes.get(.., 0..count).to_owned();
-        let mass_kept = self.problem.mass_times(kept.as_ref());
-        let forces = self.problem.stiffness_times(kept.as_ref());
-        let shapes = self.problem.expand(kept.as_ref());
-        let participation = participation(
-            self.problem.model,
-            shapes.as_ref(),
-            super::problem::mass_times_full(&self.problem.model.mass, &shapes).as_ref(),
-        );
-        let zero = ZERO * self.scale;
-        let entries: Vec<ModeEntry> = (0..count)
-            .map(|j| {
-                let value = found.values[j];
-                let difference =
-                    Mat::from_fn(kept.nrows(), 1, |i, _| forces[(i, j)] - value * mass_kept[(i, j)]);
-                let norm = column_norm(forces.as_ref(), j);
-                let residual = column_norm(difference.as_ref(), 0);
-                ModeEntry {
-                    number: j + 1,
-                    kind,
-                    frequency_hz: Some(if value.abs() < zero { 0.0 } else { hertz(value) }),
-                    residual: Some(if norm > 0.0 { residual / norm } else { 0.0 }),
-                    effective_mass: participation.mass[j],
-                    effective_inertia: participation.inertia[j],
-                }
-            })
-            .collect();
-        let modes = entries.iter().map(|entry| Mode { kind, frequency_hz: entry.frequency_hz }).collect();
-        let rigid_modes = self
-            .rigid
-            .rayleigh
-            .iter()
-            .zip(&self.rigid.residuals)
-            .map(|(&value, &residual)| RigidModeEntry { frequency_hz: hertz(value.abs()), residual })
-            .collect();
-        let report = ModeReport {
-            method: found.method,
-            rigid_modes,
-            mechanisms: found.values[..count].iter().filter(|value| value.abs() < zero).count(),
-            orthogonality_error: orthogonality_error(kept.as_ref(), mass_kept.as_ref()),
-            counted: Some(found.counted),
-            found: found.limit.below + self.rigid.count(),
-            counted_below_hz: Some(hertz(found.limit.shift)),
-            cut_repeated: found.limit.below > count,
-            total_mass: participation.total_mass,
-            total_inertia: participation.total_inertia,
-            loose_dofs: self.problem.loose.len(),
-            factor_values: found.factor_values,
-            modes: entries,
-        };
-        ModeSolution { basis: ModeBasis { shapes, modes }, report }
-    }
-}
-
-/// Frequency of an eigenvalue ω²; negative eigenvalues, which only round-off makes, count as zero.
-pub(crate) fn hertz(value: f64) -> f64 {
-    value.max(0.0).sqrt() / TAU
 }

@@ -6,10 +6,10 @@ use ffrf_model::{Mode, ModeKind};
 use crate::{FeError, FeModel, SparseMatrix};
 
 use super::ModeError;
+use super::account::hertz;
 use super::block::gram;
-use super::participation::{modal_masses, participation};
+use super::participation::{Participation, modal_masses};
 use super::problem::{entries, mass_times_full};
-use super::solve::hertz;
 use super::{ModeBasis, ModeEntry, ModeReport, ModeSolution};
 
 /// Takes shapes (3N x M) as the mode basis, without change.
@@ -37,7 +37,8 @@ pub fn user_modes(model: &FeModel, shapes: Mat<f64>) -> Result<ModeSolution, FeE
     }
     let mass_shapes = mass_times_full(&model.mass, &shapes);
     let masses = modal_masses(shapes.as_ref(), mass_shapes.as_ref());
-    let participation = participation(model, shapes.as_ref(), mass_shapes.as_ref());
+    let participation = Participation::new(model);
+    let effective = participation.of(shapes.as_ref(), &masses);
     let forces = model.stiffness.as_ref().map(|stiffness| times(stiffness, &shapes));
     let modes: Vec<ModeEntry> = (0..shapes.ncols())
         .map(|j| {
@@ -48,8 +49,8 @@ pub fn user_modes(model: &FeModel, shapes: Mat<f64>) -> Result<ModeSolution, FeE
                 kind: ModeKind::User,
                 frequency_hz: rayleigh.map(|(value, _)| hertz(value)),
                 residual: rayleigh.map(|(_, residual)| residual),
-                effective_mass: participation.mass[j],
-                effective_inertia: participation.inertia[j],
+                effective_mass: effective[j].mass,
+                effective_inertia: effective[j].inertia,
             }
         })
         .collect();

@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "helpers of tests may panic")]
 
 mod beams;
-
+mod conrod;
+mod many;
 mod markers;
 mod progress;
 mod reference;

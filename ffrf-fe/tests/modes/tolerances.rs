@@ -16,3 +16,11 @@ pub const TWO_SOLVERS: f64 = 1e-9;
 pub const SLENDER_BEAM: f64 = 0.02;
 /// A rigid rotation through a marker's fit: round-off of a 3 x 3 inverse.
 pub const MARKER: f64 = 1e-12;
+/// Frequencies of the connecting rod against LAPACK's dense solution, relative: round-off there is ε times the ratio
+/// of the highest eigenvalue of the mesh to the lowest, about 1e6.
+pub const LAPACK: f64 = 1e-9;
+/// Residual ||K φ - λ M φ|| / ||K φ|| of a computed mode: the product K φ alone cancels as many digits as the
+/// stiffest eigenvalue of the mesh lies above λ, six at most here.
+pub const RESIDUAL: f64 = 1e-8;
+/// Eigenvalues of a whole spectrum against each other, relative to the largest: round-off of dense solutions.
+pub const WHOLE_SPECTRUM: f64 = 1e-13;
