@@ -64,10 +64,9 @@ pub fn component_modes(
     let supported = Supported::new(&coordinates, &rigid)?;
     progress(Progress { stage: Stage::Factorising, done: 0, total: 1 });
     let flexibility = Flexibility::new(&coordinates, &rigid, &supported, request.threads)?;
-    let spanned = span(&flexibility, &motion, request, progress)?;
-
     let compliance = motion.of(&coordinates, flexibility.elastic(motion.forces(&coordinates)).as_ref());
     let compliance: Vec<f64> = (0..motion.count()).map(|i| compliance[(i, i)]).collect();
+    let spanned = span(&flexibility, &motion, &compliance, request, progress)?;
     let kept = match request.form {
         BasisForm::FreeFree => spanned.shapes,
         BasisForm::Raw => {
@@ -90,9 +89,11 @@ pub fn component_modes(
     let compliance_kept = compliance_kept(modal_motion.as_ref(), &values, &compliance);
     let left_out = transformed.values.len() - chosen.len();
 
+    let mut coupling = 0.0;
     let (shapes, stiffness) = match request.form {
         BasisForm::FreeFree => {
             let shapes = transformed.shapes.choose(&chosen);
+            coupling = largest_coupling(&coordinates.stiffness_gram(shapes.columns.as_ref()));
             let size = chosen.len();
             let stiffness = Mat::from_fn(size, size, |i, j| if i == j { values[i] } else { 0.0 });
             (shapes, stiffness)
@@ -115,6 +116,7 @@ pub fn component_modes(
         compliance,
         compliance_kept,
         orthogonality_error: deviation_from_identity(&coordinates.mass_gram(columns.as_ref())),
+        stiffness_coupling: coupling,
         modes: entries(&modes, &importance, &chosen, request.form),
         is_transformed: request.form == BasisForm::FreeFree,
     };
@@ -141,13 +143,14 @@ struct Span {
 fn span(
     flexibility: &Flexibility<'_>,
     motion: &InterfaceMotion,
+    compliance: &[f64],
     request: &ComponentRequest,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Span, FeError> {
     let count = request.normal_modes;
     let mut told = |done| progress(Progress { stage: Stage::Iterating, done, total: count });
     let needs_constraints = matches!(request.basis, ComponentBasis::CraigBampton | ComponentBasis::Herting);
-    let constrained = if needs_constraints { Some(Constrained::new(flexibility, motion)?) } else { None };
+    let constrained = if needs_constraints { Some(Constrained::new(flexibility, motion, compliance)?) } else { None };
     let (shapes, normal) = match (&constrained, request.basis) {
         (Some(constrained), ComponentBasis::Herting) => herting::shapes(constrained, count, &mut told)?,
         (Some(constrained), _) => craig_bampton::shapes(constrained, count, &mut told)?,
@@ -228,6 +231,17 @@ fn describe(interface: &Interface) -> String {
     let [x, y, z] = interface.reference_point;
     let coupling = if interface.is_rigid() { "rigid (RBE2)" } else { "mean (RBE3)" };
     format!("{}: {} nodes, {coupling}, reference point {x:.6} {y:.6} {z:.6}", interface.name, interface.nodes.len())
+}
+
+/// Largest entry off the diagonal over the geometric mean of its diagonal entries.
+fn largest_coupling(matrix: &Mat<f64>) -> f64 {
+    let mut largest = 0.0_f64;
+    for j in 0..matrix.ncols() {
+        for i in 0..j {
+            largest = largest.max(matrix[(i, j)].abs() / (matrix[(i, i)] * matrix[(j, j)]).abs().sqrt());
+        }
+    }
+    largest
 }
 
 fn deviation_from_identity(matrix: &Mat<f64>) -> f64 {

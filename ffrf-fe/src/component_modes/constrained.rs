@@ -3,16 +3,15 @@
 use faer::{Mat, MatRef, Par};
 
 use crate::FeError;
-use crate::modes::{gram, product, subtract_product, symmetric_eigen, symmetrised};
+use crate::modes::{gram, product, subtract_product, symmetrised};
 
 use super::ComponentModeError;
 use super::flexibility::Flexibility;
 use super::interface_motion::InterfaceMotion;
+use super::jacobi;
 
 /// Least pivot of the scaled interface compliance: at this ratio the interface forces keep about four digits.
 const LEAST_PIVOT: f64 = 1e-12;
-/// Rounds of scaling rows and columns to largest entries of one.
-const SCALING_ROUNDS: usize = 8;
 
 /// The part with the motion of its interfaces prescribed.
 ///
@@ -28,8 +27,14 @@ pub(crate) struct Constrained<'a> {
 }
 
 impl<'a> Constrained<'a> {
+    /// `elastic` is the diagonal of B G_e Bᵀ, which scales the interface forces.
+    ///
     /// Errors: [`ComponentModeError::Dependent`] if the interfaces cannot move independently.
-    pub fn new(flexibility: &'a Flexibility<'a>, motion: &'a InterfaceMotion) -> Result<Self, FeError> {
+    pub fn new(
+        flexibility: &'a Flexibility<'a>,
+        motion: &'a InterfaceMotion,
+        elastic: &[f64],
+    ) -> Result<Self, FeError> {
         let coordinates = flexibility.coordinates;
         let compliance = flexibility.supported(motion.forces(coordinates).as_ref());
         let at_interfaces = symmetrised(motion.of(coordinates, compliance.as_ref()).as_ref());
@@ -41,9 +46,9 @@ impl<'a> Constrained<'a> {
             (false, true) => -rigid[(j, i - count)],
             (false, false) => 0.0,
         });
-        let scale = scaling(&saddle);
+        let scale = scaling(elastic, &rigid);
         let scaled = Mat::from_fn(saddle.nrows(), saddle.ncols(), |i, j| saddle[(i, j)] * scale[i] * scale[j]);
-        let (values, vectors) = symmetric_eigen(scaled.as_ref())?;
+        let (values, vectors) = jacobi::eigen(scaled.as_ref())?;
         let largest = values.iter().fold(0.0_f64, |max, value| max.max(value.abs()));
         let smallest = values.iter().fold(f64::INFINITY, |min, value| min.min(value.abs()));
         let pivot = if largest > 0.0 { smallest / largest } else { 0.0 };
@@ -98,19 +103,14 @@ impl<'a> Constrained<'a> {
     }
 }
 
-/// Factors that bring the largest entry of each row and column of a symmetric matrix near one.
-fn scaling(matrix: &Mat<f64>) -> Vec<f64> {
-    let size = matrix.nrows();
-    let mut scale = vec![1.0_f64; size];
-    for _ in 0..SCALING_ROUNDS {
-        let largest: Vec<f64> = (0..size)
-            .map(|i| (0..size).fold(0.0_f64, |max, j| max.max((matrix[(i, j)] * scale[i] * scale[j]).abs())))
-            .collect();
-        for (factor, largest) in scale.iter_mut().zip(largest) {
-            if largest > 0.0 {
-                *factor /= largest.sqrt();
-            }
-        }
-    }
-    scale
+/// Interface forces in units that give a unit elastic displacement, and rigid amounts in units that displace the
+/// interfaces by at most one in those: then no block of the matrix outweighs another.
+fn scaling(elastic: &[f64], rigid: &Mat<f64>) -> Vec<f64> {
+    let inverse_root = |x: f64| if x > 0.0 { x.sqrt().recip() } else { 1.0 };
+    let forces: Vec<f64> = elastic.iter().map(|&compliance| inverse_root(compliance)).collect();
+    let amounts = (0..rigid.ncols()).map(|k| {
+        let largest = (0..rigid.nrows()).fold(0.0_f64, |max, i| max.max((forces[i] * rigid[(i, k)]).abs()));
+        if largest > 0.0 { largest.recip() } else { 1.0 }
+    });
+    forces.iter().copied().chain(amounts).collect()
 }

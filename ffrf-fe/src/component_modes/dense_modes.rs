@@ -1,11 +1,12 @@
 //! Every normal mode of a small problem, by dense reduction to a standard eigenproblem.
 
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Mat, Par};
 
 use crate::FeError;
-use crate::modes::{cholesky, gram, product, symmetric_eigen, symmetrised};
+use crate::modes::{cholesky, gram, product};
 
+use super::jacobi;
 use super::normal_modes::Condition;
 
 /// Inverse eigenvalues below this part of the largest, times the size, are round-off of shapes without mass.
@@ -20,12 +21,9 @@ pub(crate) fn all(condition: Condition<'_>) -> Result<(Vec<f64>, Mat<f64>), FeEr
     let coordinates = condition.coordinates();
     let admissible = complement(&condition.constraint_columns())?;
     let stiffness = coordinates.stiffness_gram(admissible.as_ref());
-    let mut reduced = coordinates.mass_gram(admissible.as_ref());
+    let mass = coordinates.mass_gram(admissible.as_ref());
     let lower = cholesky(stiffness.as_ref(), "the stiffness of admissible shapes")?;
-    solve_lower_triangular_in_place(lower.as_ref(), reduced.as_mut(), Par::Seq);
-    let mut reduced = reduced.transpose().to_owned();
-    solve_lower_triangular_in_place(lower.as_ref(), reduced.as_mut(), Par::Seq);
-    let (inverse, vectors) = symmetric_eigen(symmetrised(reduced.as_ref()).as_ref())?;
+    let (inverse, vectors) = jacobi::eigen(jacobi::congruent(lower.as_ref(), mass.as_ref()).as_ref())?;
     let size = inverse.len();
     let largest = inverse.last().copied().unwrap_or(0.0);
     let finite = inverse.iter().filter(|&&theta| theta > FINITE * size as f64 * largest).count();
@@ -53,7 +51,7 @@ fn complement(columns: &Mat<f64>) -> Result<Mat<f64>, FeError> {
     let whole = scaled.qr().compute_Q();
     let mut rest = whole.get(.., count..).to_owned();
     // Once more against the columns themselves, so that the conditions hold to round-off.
-    let (values, vectors) = symmetric_eigen(gram(scaled.as_ref(), scaled.as_ref(), Par::Seq).as_ref())?;
+    let (values, vectors) = jacobi::eigen(gram(scaled.as_ref(), scaled.as_ref(), Par::Seq).as_ref())?;
     let missed = gram(scaled.as_ref(), rest.as_ref(), Par::Seq);
     let mut modal = gram(vectors.as_ref(), missed.as_ref(), Par::Seq);
     for j in 0..modal.ncols() {

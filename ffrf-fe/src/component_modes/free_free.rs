@@ -7,11 +7,12 @@ use faer::{Mat, Par};
 use ffrf_model::{Mode, ModeKind};
 
 use crate::FeError;
-use crate::modes::{generalised_eigen, product, settle_signs, symmetric_eigen};
+use crate::modes::{product, settle_signs};
 
 use super::ComponentModeError;
 use super::coordinates::Coordinates;
 use super::frequency::hertz;
+use super::jacobi;
 use super::rigid_motion::RigidMotion;
 use super::shapes::Shapes;
 
@@ -52,7 +53,7 @@ pub(crate) fn transform(
         rigid.remove_from(&mut shapes);
         let stiffness = coordinates.stiffness_gram(shapes.as_ref());
         let mass = coordinates.mass_gram(shapes.as_ref());
-        let (found, factors) = generalised_eigen(stiffness.as_ref(), mass.as_ref())?;
+        let (found, factors) = jacobi::generalised(stiffness.as_ref(), mass.as_ref())?;
         shapes = product(shapes.as_ref(), factors.as_ref(), Par::Seq);
         values = found;
     }
@@ -83,7 +84,7 @@ fn independent_directions(
 ) -> Result<Mat<f64>, FeError> {
     let gram = coordinates.mass_gram(columns.as_ref());
     let scaled = Mat::from_fn(gram.nrows(), gram.ncols(), |i, j| gram[(i, j)] * scale[i] * scale[j]);
-    let (values, vectors) = symmetric_eigen(scaled.as_ref())?;
+    let (values, vectors) = jacobi::eigen(scaled.as_ref())?;
     let first = values.iter().take_while(|&&value| value <= DEPENDENT).count();
     Ok(Mat::from_fn(values.len(), values.len() - first, |i, j| {
         scale[i] * vectors[(i, first + j)] / values[first + j].sqrt()

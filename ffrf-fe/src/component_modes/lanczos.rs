@@ -5,9 +5,10 @@
 use faer::{Mat, Par};
 
 use crate::FeError;
-use crate::modes::{Random, gram, product, subtract_product, symmetric_eigen};
+use crate::modes::{Random, gram, product, subtract_product};
 
 use super::ComponentModeError;
+use super::jacobi;
 use super::normal_modes::Condition;
 
 /// Vectors per block: at least the multiplicities that symmetric parts have.
@@ -38,7 +39,7 @@ pub(crate) fn lowest(
         if space.active < wanted {
             continue;
         }
-        let (values, vectors) = symmetric_eigen(space.projected.get(..space.active, ..space.active))?;
+        let (values, vectors) = jacobi::eigen(space.projected.get(..space.active, ..space.active))?;
         let count = values.len();
         let last = product(residual.as_ref(), vectors.get(count - BLOCK.., ..), Par::Seq);
         // Eigenvalues of the flexibility, the largest last.

@@ -28,6 +28,7 @@ mod herting;
 mod importance;
 mod interface;
 mod interface_motion;
+mod jacobi;
 mod lanczos;
 mod mac;
 mod mode_selection;

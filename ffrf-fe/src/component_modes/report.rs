@@ -61,6 +61,8 @@ pub struct ComponentReport {
     pub compliance_kept: f64,
     /// Largest entry of |ΦᵀMΦ - I|.
     pub orthogonality_error: f64,
+    /// Largest |φ_iᵀKφ_j| over ω_i ω_j of two transformed modes, which K_ff leaves out as round-off.
+    pub stiffness_coupling: f64,
     /// One entry per mode.
     pub modes: Vec<ComponentEntry>,
     /// True for orthonormal modes.
@@ -107,7 +109,11 @@ impl fmt::Display for ComponentReport {
             100.0 * self.compliance_kept
         )?;
         if self.is_transformed {
-            write!(f, "; mass orthogonality error {:.1e}", self.orthogonality_error)?;
+            write!(
+                f,
+                "; mass orthogonality error {:.1e}, coupling by stiffness {:.1e}",
+                self.orthogonality_error, self.stiffness_coupling
+            )?;
         }
         Ok(())
     }
