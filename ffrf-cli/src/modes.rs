@@ -24,10 +24,16 @@ pub fn solve(model: &FeModel, choice: &ModeChoice, default_count: Option<usize>)
         Some(clamp) => ModeRequest::clamped(count, node_rows(&model.nodes, clamp).context("--clamp")?),
         None => ModeRequest::free_free(count),
     };
+    with_progress(|progress| compute_modes(model, &request, progress))
+        .context("the modes could not be computed")
+}
+
+/// Runs a computation of modes and shows its progress.
+pub fn with_progress<R>(compute: impl FnOnce(&mut dyn FnMut(Progress)) -> R) -> R {
     let bar = progress_bar();
-    let solution = compute_modes(model, &request, &mut |progress| show(&bar, progress));
+    let result = compute(&mut |progress| show(&bar, progress));
     bar.finish_and_clear();
-    solution.context("the modes could not be computed")
+    result
 }
 
 /// A bar on standard error; hidden if that is not a terminal.

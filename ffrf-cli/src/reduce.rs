@@ -4,16 +4,23 @@ use anyhow::{Context, Result};
 use ffrf_fe::Nodes;
 use ffrf_fe::import::{read_square_matrix, source_file};
 use ffrf_fe::reduction::{Damping, MarkerRequest, ReductionOptions, reduce};
+use ffrf_model::ReducedBody;
 
 use crate::arguments::{MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
-use crate::{describe, fe_input, modes};
+use crate::{component_modes, describe, fe_input, modes};
 
 /// Runs the command.
 pub fn run(arguments: &Reduce) -> Result<()> {
     let mut model = fe_input::read(&arguments.files)?;
     println!("{}", fe_input::describe(&model));
     let mut options = options(arguments, &model.nodes)?;
+    if !arguments.interfaces.interfaces.is_empty() {
+        let (body, text) =
+            modes::with_progress(|progress| component_modes::reduce(&model, arguments, &options, progress))?;
+        println!("{text}");
+        return finish(arguments, &body);
+    }
     let solution = modes::solve(&model, &arguments.choice, None)?;
     if let Some(path) = &arguments.modal_stiffness {
         options.modal_stiffness = Some(read_square_matrix(path, solution.basis.modes.len())?);
@@ -26,11 +33,15 @@ pub fn run(arguments: &Reduce) -> Result<()> {
         }
     }
     println!("{}", solution.report);
-    let body = reduce(&model, &solution.basis, &options)?;
+    finish(arguments, &reduce(&model, &solution.basis, &options)?)
+}
+
+/// Checks, writes and describes the body.
+fn finish(arguments: &Reduce, body: &ReducedBody) -> Result<()> {
     let checks = body.check()?;
     checks.verdict()?;
     body.write(&arguments.output)?;
-    println!("\n{}", describe::body(&body));
+    println!("\n{}", describe::body(body));
     print!("{}", describe::checks(&checks));
     println!("written: {}", arguments.output.display());
     Ok(())

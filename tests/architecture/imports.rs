@@ -37,7 +37,17 @@ fn law() -> BTreeMap<&'static str, Allowed> {
             "ffrf-cli",
             entry(
                 &["ffrf-codegen", "ffrf-fe", "ffrf-model", "ffrf-runtime"],
-                &["anyhow", "clap", "faer", "indicatif", "prettyplease", "serde", "serde_json", "tempfile"],
+                &[
+                    "anyhow",
+                    "clap",
+                    "faer",
+                    "indicatif",
+                    "plotters",
+                    "prettyplease",
+                    "serde",
+                    "serde_json",
+                    "tempfile",
+                ],
             ),
         ),
         (

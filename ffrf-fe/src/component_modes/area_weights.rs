@@ -14,20 +14,8 @@ const TETRAHEDRON_EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 
 const WEDGE_FACES: [&[usize]; 5] = [&[0, 1, 2], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]];
 const HEXAHEDRON_FACES: [&[usize]; 6] =
     [&[0, 1, 2, 3], &[4, 5, 6, 7], &[0, 1, 5, 4], &[1, 2, 6, 5], &[2, 3, 7, 6], &[3, 0, 4, 7]];
-const HEXAHEDRON_EDGES: [[usize; 2]; 12] = [
-    [0, 1],
-    [1, 2],
-    [2, 3],
-    [3, 0],
-    [4, 5],
-    [5, 6],
-    [6, 7],
-    [7, 4],
-    [0, 4],
-    [1, 5],
-    [2, 6],
-    [3, 7],
-];
+const HEXAHEDRON_EDGES: [[usize; 2]; 12] =
+    [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
 
 /// Area of the surface of the part that each node stands for. Units: m².
 ///
@@ -55,8 +43,12 @@ pub fn area_weights(model: &FeModel, nodes: &[usize]) -> Result<Vec<f64>, Compon
     match areas.iter().position(|&area| area <= 0.0) {
         None => Ok(areas),
         Some(i) => Err(ComponentModeError::Number {
-            what: format!("area of the surface around node {} within the interface", model.nodes.ids[nodes[i]]),
-            expected: "more than 0 (do the files have elements, and does the set hold whole element faces?)".to_owned(),
+            what: format!(
+                "area of the surface around node {} within the interface",
+                model.nodes.ids[nodes[i]]
+            ),
+            expected: "more than 0 (do the files have elements, and does the set hold whole element faces?)"
+                .to_owned(),
             found: areas[i],
         }),
     }

@@ -22,7 +22,9 @@ pub fn reduce_component_modes(
     let mut body = reduce(model, &modes.basis, &options)?;
     let count = modes.basis.modes.len();
     let markers = modes.interfaces.iter().enumerate().map(|(number, interface)| {
-        let row = |first: usize, mode: usize| [0, 1, 2].map(|i| modes.interface_motion[(6 * number + first + i, mode)]);
+        let row = |first: usize, mode: usize| {
+            [0, 1, 2].map(|i| modes.interface_motion[(6 * number + first + i, mode)])
+        };
         Marker {
             name: interface.name.clone(),
             nodes: interface.nodes.iter().map(|&row| model.nodes.ids[row]).collect(),

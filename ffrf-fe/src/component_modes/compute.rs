@@ -18,8 +18,8 @@ use super::report::{ComponentReport, NormalEntry, entries};
 use super::rigid_motion::RigidMotion;
 use super::shapes::Shapes;
 use super::{
-    BasisForm, ComponentBasis, ComponentModeError, ComponentRequest, Interface, attachment, craig_bampton, herting,
-    raw, reference_condition, residual, static_load,
+    BasisForm, ComponentBasis, ComponentModeError, ComponentRequest, Interface, attachment, craig_bampton,
+    herting, raw, reference_condition, residual, static_load,
 };
 
 /// Largest strain energy of a rigid motion relative to that of the lowest mode: a thousandth of its frequency, far
@@ -150,7 +150,8 @@ fn span(
     let count = request.normal_modes;
     let mut told = |done| progress(Progress { stage: Stage::Iterating, done, total: count });
     let needs_constraints = matches!(request.basis, ComponentBasis::CraigBampton | ComponentBasis::Herting);
-    let constrained = if needs_constraints { Some(Constrained::new(flexibility, motion, compliance)?) } else { None };
+    let constrained =
+        if needs_constraints { Some(Constrained::new(flexibility, motion, compliance)?) } else { None };
     let (shapes, normal) = match (&constrained, request.basis) {
         (Some(constrained), ComponentBasis::Herting) => herting::shapes(constrained, count, &mut told)?,
         (Some(constrained), _) => craig_bampton::shapes(constrained, count, &mut told)?,
@@ -168,7 +169,8 @@ fn span(
         None
     };
     let entries = NormalEntry::list(&normal.values, effective.as_deref());
-    let loads = static_load::shapes(coordinates.model, flexibility, constrained.as_ref(), &request.static_loads)?;
+    let loads =
+        static_load::shapes(coordinates.model, flexibility, constrained.as_ref(), &request.static_loads)?;
     let shapes = shapes.and(loads);
     Ok(Span { count: shapes.modes.len(), shapes, normal, entries })
 }
@@ -201,7 +203,11 @@ fn choose(
     if chosen.is_empty() { Err(ComponentModeError::EmptyBasis { given }) } else { Ok(chosen) }
 }
 
-fn check_unstrained(coordinates: &Coordinates<'_>, rigid: &RigidMotion, values: &[f64]) -> Result<(), FeError> {
+fn check_unstrained(
+    coordinates: &Coordinates<'_>,
+    rigid: &RigidMotion,
+    values: &[f64],
+) -> Result<(), FeError> {
     let energy = coordinates.stiffness_gram(rigid.shapes.as_ref());
     let lowest = values.first().copied().unwrap_or(0.0);
     for i in 0..rigid.count() {
@@ -230,7 +236,11 @@ fn method(request: &ComponentRequest, normal: &NormalModes, supported: &Supporte
 fn describe(interface: &Interface) -> String {
     let [x, y, z] = interface.reference_point;
     let coupling = if interface.is_rigid() { "rigid (RBE2)" } else { "mean (RBE3)" };
-    format!("{}: {} nodes, {coupling}, reference point {x:.6} {y:.6} {z:.6}", interface.name, interface.nodes.len())
+    format!(
+        "{}: {} nodes, {coupling}, reference point {x:.6} {y:.6} {z:.6}",
+        interface.name,
+        interface.nodes.len()
+    )
 }
 
 /// Largest entry off the diagonal over the geometric mean of its diagonal entries.

@@ -40,14 +40,16 @@ impl<'a> Constrained<'a> {
         let at_interfaces = symmetrised(motion.of(coordinates, compliance.as_ref()).as_ref());
         let rigid = motion.of(coordinates, flexibility.rigid.shapes.as_ref());
         let (count, rigid_count) = (motion.count(), rigid.ncols());
-        let saddle = Mat::from_fn(count + rigid_count, count + rigid_count, |i, j| match (i < count, j < count) {
-            (true, true) => at_interfaces[(i, j)],
-            (true, false) => -rigid[(i, j - count)],
-            (false, true) => -rigid[(j, i - count)],
-            (false, false) => 0.0,
-        });
+        let saddle =
+            Mat::from_fn(count + rigid_count, count + rigid_count, |i, j| match (i < count, j < count) {
+                (true, true) => at_interfaces[(i, j)],
+                (true, false) => -rigid[(i, j - count)],
+                (false, true) => -rigid[(j, i - count)],
+                (false, false) => 0.0,
+            });
         let scale = scaling(elastic, &rigid);
-        let scaled = Mat::from_fn(saddle.nrows(), saddle.ncols(), |i, j| saddle[(i, j)] * scale[i] * scale[j]);
+        let scaled =
+            Mat::from_fn(saddle.nrows(), saddle.ncols(), |i, j| saddle[(i, j)] * scale[i] * scale[j]);
         let (values, vectors) = jacobi::eigen(scaled.as_ref())?;
         let largest = values.iter().fold(0.0_f64, |max, value| max.max(value.abs()));
         let smallest = values.iter().fold(f64::INFINITY, |min, value| min.min(value.abs()));

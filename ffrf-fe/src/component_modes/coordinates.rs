@@ -273,7 +273,11 @@ impl Accumulator {
 
 type Followed = Vec<Option<(u32, Vector3)>>;
 
-fn followers(model: &FeModel, interfaces: &[Interface], is_held: &[bool]) -> Result<Followed, ComponentModeError> {
+fn followers(
+    model: &FeModel,
+    interfaces: &[Interface],
+    is_held: &[bool],
+) -> Result<Followed, ComponentModeError> {
     let mut follows: Followed = vec![None; model.nodes.len()];
     let mut names: Vec<&str> = Vec::new();
     for interface in interfaces {

@@ -33,7 +33,8 @@ impl<'a> DynamicStiffness<'a> {
         let order = node_order(&lower, &node_of, &coordinates.node_positions())?.order;
         let pattern = lower.symbolic().to_owned().map_err(too_large)?;
         let permutation = permutation(&order);
-        let symbolic = analyse(&pattern, SymmetricOrdering::Custom(permutation.as_ref())).map_err(too_large)?;
+        let symbolic =
+            analyse(&pattern, SymmetricOrdering::Custom(permutation.as_ref())).map_err(too_large)?;
         Ok(Self { coordinates, number, symbolic })
     }
 
@@ -48,8 +49,7 @@ impl<'a> DynamicStiffness<'a> {
         let mut values = vec![0.0; self.symbolic.len_val()];
         let (mut below, mut forward, mut inverse) = (vec![0.0; size], vec![0_u32; size], vec![0_u32; size]);
         let scratch = self.symbolic.factorize_numeric_intranode_lblt_scratch::<f64>(par, Default::default());
-        let mut memory =
-            MemBuffer::try_new(scratch).map_err(|_| ModeError::FactorTooLarge { size })?;
+        let mut memory = MemBuffer::try_new(scratch).map_err(|_| ModeError::FactorTooLarge { size })?;
         let factor = self.symbolic.factorize_numeric_intranode_lblt(
             &mut values,
             &mut below,
@@ -61,8 +61,7 @@ impl<'a> DynamicStiffness<'a> {
             MemStack::new(&mut memory),
             Default::default(),
         );
-        let mut memory =
-            MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(forces.ncols(), par));
+        let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(forces.ncols(), par));
         let mut solution = Mat::zeros(size, forces.ncols());
         let mut rest = forces.to_owned();
         let mut residual = f64::INFINITY;
@@ -89,6 +88,12 @@ fn relative(rest: &Mat<f64>, forces: MatRef<'_, f64>) -> f64 {
         let norm = forces.col(j).norm_l2();
         let ratio = if norm > 0.0 { rest.col(j).norm_l2() / norm } else { 0.0 };
         // A number that is none must not be lost in a maximum.
-        if ratio.is_nan() { f64::NAN } else if largest.is_nan() { largest } else { largest.max(ratio) }
+        if ratio.is_nan() {
+            f64::NAN
+        } else if largest.is_nan() {
+            largest
+        } else {
+            largest.max(ratio)
+        }
     })
 }

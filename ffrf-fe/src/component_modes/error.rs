@@ -56,7 +56,9 @@ pub enum ComponentModeError {
         interface: String,
     },
     /// An interface at a row beyond the node table.
-    #[error("interface `{interface}`: node row {row} does not exist, the model has {nodes} nodes (rows from 0)")]
+    #[error(
+        "interface `{interface}`: node row {row} does not exist, the model has {nodes} nodes (rows from 0)"
+    )]
     Row {
         /// Name of the interface.
         interface: String,
@@ -81,7 +83,9 @@ pub enum ComponentModeError {
         least: f64,
     },
     /// Weights that do not fit the nodes.
-    #[error("interface `{interface}`: expected {nodes} positive finite weights, one for each node, found {found}")]
+    #[error(
+        "interface `{interface}`: expected {nodes} positive finite weights, one for each node, found {found}"
+    )]
     Weights {
         /// Name of the interface.
         interface: String,
@@ -117,7 +121,9 @@ pub enum ComponentModeError {
         second: String,
     },
     /// A reference point that is not a point.
-    #[error("interface `{interface}`: expected three finite coordinates of the reference point, found {found:?}")]
+    #[error(
+        "interface `{interface}`: expected three finite coordinates of the reference point, found {found:?}"
+    )]
     ReferencePoint {
         /// Name of the interface.
         interface: String,
@@ -173,7 +179,9 @@ pub enum ComponentModeError {
         given: usize,
     },
     /// The dynamic stiffness cannot be solved at a frequency.
-    #[error("the response at {frequency_hz} Hz could not be solved: the residual is {residual:e} (accepted: {limit:e})")]
+    #[error(
+        "the response at {frequency_hz} Hz could not be solved: the residual is {residual:e} (accepted: {limit:e})"
+    )]
     Response {
         /// Frequency. Units: Hz.
         frequency_hz: f64,

@@ -47,7 +47,8 @@ impl Interface {
     /// Errors: a name that no marker may have, an unknown row, a node without mass and stiffness, fewer than three
     /// nodes off one line.
     pub fn rigid(model: &FeModel, name: &str, nodes: &[usize]) -> Result<Self, ComponentModeError> {
-        let refuse = |row| ComponentModeError::Row { interface: name.to_owned(), row, nodes: model.nodes.len() };
+        let refuse =
+            |row| ComponentModeError::Row { interface: name.to_owned(), row, nodes: model.nodes.len() };
         if !is_valid_marker_name(name) {
             return Err(ComponentModeError::Name { interface: name.to_owned() });
         }
@@ -92,7 +93,8 @@ impl Interface {
         }
         let total: f64 = weights.iter().sum();
         self.reference_point = [0, 1, 2].map(|i| {
-            let moment = self.nodes.iter().zip(&weights).map(|(&row, weight)| weight * model.nodes.positions[row][i]);
+            let moment =
+                self.nodes.iter().zip(&weights).map(|(&row, weight)| weight * model.nodes.positions[row][i]);
             moment.sum::<f64>() / total
         });
         self.coupling = Coupling::Average { weights };

@@ -36,7 +36,8 @@ impl InterfaceMotion {
                 Coupling::Rigid => places.next().map(Source::Coordinates).ok_or_else(collinear),
                 Coupling::Average { weights } => {
                     let here: Vec<_> = interface.nodes.iter().map(|&row| positions[row]).collect();
-                    let rows = averaging_rows(&here, weights, interface.reference_point).ok_or_else(collinear)?;
+                    let rows =
+                        averaging_rows(&here, weights, interface.reference_point).ok_or_else(collinear)?;
                     Ok(Source::Mean(interface.nodes.iter().copied().zip(rows).collect()))
                 }
             }
@@ -64,7 +65,9 @@ impl InterfaceMotion {
                         Source::Coordinates(first) => shapes[(first + k, j)],
                         Source::Mean(rows) => rows
                             .iter()
-                            .map(|(node, block)| (0..3).map(|i| block[k][i] * full[(3 * node + i, j)]).sum::<f64>())
+                            .map(|(node, block)| {
+                                (0..3).map(|i| block[k][i] * full[(3 * node + i, j)]).sum::<f64>()
+                            })
                             .sum(),
                     };
                 }

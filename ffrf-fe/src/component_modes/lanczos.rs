@@ -96,7 +96,8 @@ impl<'a> Subspace<'a> {
     /// Multiplies the last block and appends what is new; returns the factor of the residual block.
     fn extend(&mut self) -> Mat<f64> {
         let first = self.active;
-        let block = self.condition.flexibility_times(self.mass_basis.get(.., first..first + BLOCK).to_owned());
+        let block =
+            self.condition.flexibility_times(self.mass_basis.get(.., first..first + BLOCK).to_owned());
         self.active += BLOCK;
         self.append(block, self.active)
     }
@@ -137,7 +138,9 @@ impl<'a> Subspace<'a> {
                 (column, mass_column, length) = self.fresh(known + j);
             }
             for (matrix, source) in [(&mut self.basis, &column), (&mut self.mass_basis, &mass_column)] {
-                for (target, value) in matrix.col_as_slice_mut(known + j).iter_mut().zip(source.col_as_slice(0)) {
+                for (target, value) in
+                    matrix.col_as_slice_mut(known + j).iter_mut().zip(source.col_as_slice(0))
+                {
                     *target = value / length;
                 }
             }

@@ -18,10 +18,11 @@ pub struct ModeSelection {
 impl ModeSelection {
     /// Errors: limits that are negative or not finite.
     pub(crate) fn check(&self) -> Result<(), ComponentModeError> {
-        let limits = [("least frequency", self.above_hz), ("greatest frequency", self.below_hz), (
-            "least importance",
-            self.importance,
-        )];
+        let limits = [
+            ("least frequency", self.above_hz),
+            ("greatest frequency", self.below_hz),
+            ("least importance", self.importance),
+        ];
         for (what, limit) in limits {
             if let Some(found) = limit.filter(|x| !(x.is_finite() && *x >= 0.0)) {
                 let (what, expected) = (what.to_owned(), "a finite number of at least 0".to_owned());

@@ -81,11 +81,8 @@ pub(crate) fn normal_modes(
         return Ok(NormalModes { values: Vec::new(), shapes: none, method: "no normal modes".to_owned() });
     }
     let is_dense = dimension <= DENSE_LIMIT || 3 * lanczos::subspace_size(wanted) > dimension;
-    let (values, shapes) = if is_dense {
-        dense_modes::all(condition)?
-    } else {
-        lanczos::lowest(condition, wanted, progress)?
-    };
+    let (values, shapes) =
+        if is_dense { dense_modes::all(condition)? } else { lanczos::lowest(condition, wanted, progress)? };
     if values.len() < wanted {
         return Err(ComponentModeError::TooFewModes { wanted, available: values.len() }.into());
     }

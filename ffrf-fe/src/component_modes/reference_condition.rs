@@ -41,7 +41,9 @@ impl ReferenceCondition {
     pub(crate) fn tied_to(&self, interfaces: &[Interface]) -> Result<Option<usize>, ComponentModeError> {
         match self {
             Self::MeanAxes => Ok(None),
-            Self::Fixed { interface } | Self::Chord { from: interface, .. } => place(interfaces, interface).map(Some),
+            Self::Fixed { interface } | Self::Chord { from: interface, .. } => {
+                place(interfaces, interface).map(Some)
+            }
         }
     }
 }
@@ -123,8 +125,10 @@ fn axes(chord: Vector3) -> Result<[Vector3; 3], ComponentModeError> {
 }
 
 pub(crate) fn place(interfaces: &[Interface], name: &str) -> Result<usize, ComponentModeError> {
-    interfaces.iter().position(|interface| interface.name == name).ok_or_else(|| ComponentModeError::UnknownInterface {
-        interface: name.to_owned(),
-        known: interfaces.iter().map(|interface| interface.name.as_str()).collect::<Vec<_>>().join(", "),
+    interfaces.iter().position(|interface| interface.name == name).ok_or_else(|| {
+        ComponentModeError::UnknownInterface {
+            interface: name.to_owned(),
+            known: interfaces.iter().map(|interface| interface.name.as_str()).collect::<Vec<_>>().join(", "),
+        }
     })
 }

@@ -26,8 +26,9 @@ pub(crate) fn shapes(
     let modes = normal_modes(Condition::Free(flexibility), count, progress)?;
     let mut residual = flexibility.elastic_refined(forces.clone());
     let participation = gram(modes.shapes.as_ref(), forces.as_ref(), Par::Seq);
-    let factors =
-        Mat::from_fn(participation.nrows(), participation.ncols(), |i, j| participation[(i, j)] / modes.values[i]);
+    let factors = Mat::from_fn(participation.nrows(), participation.ncols(), |i, j| {
+        participation[(i, j)] / modes.values[i]
+    });
     subtract_product(residual.as_mut(), modes.shapes.as_ref(), factors.as_ref(), Par::Seq);
     let normal = Shapes::normal(&modes, ModeKind::FreeFree);
     Ok((normal.and(Shapes::of_kind(residual, ModeKind::Attachment)), modes))

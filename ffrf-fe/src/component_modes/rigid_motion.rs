@@ -25,13 +25,17 @@ impl RigidMotion {
         let (centre, size) = centre_and_size(coordinates)?;
         let field = |position| rigid_rows(subtract(position, centre)).map(|row| scaled(row, size));
         let turn = 1.0 / size;
-        let rotation =
-            [[0.0, 0.0, 0.0, turn, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, turn, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, turn]];
+        let rotation = [
+            [0.0, 0.0, 0.0, turn, 0.0, 0.0],
+            [0.0, 0.0, 0.0, 0.0, turn, 0.0],
+            [0.0, 0.0, 0.0, 0.0, 0.0, turn],
+        ];
         let all = coordinates.sample(field, rotation);
         let positions = &coordinates.model.nodes.positions;
         let held = &coordinates.held;
         let at_supports = Mat::from_fn(held.len(), 6, |i, k| field(positions[held[i] / 3])[held[i] % 3][k]);
-        let (values, vectors) = symmetric_eigen(gram(at_supports.as_ref(), at_supports.as_ref(), Par::Seq).as_ref())?;
+        let (values, vectors) =
+            symmetric_eigen(gram(at_supports.as_ref(), at_supports.as_ref(), Par::Seq).as_ref())?;
         // Rotations are scaled by the size, so that all entries are of order one.
         let count = values.iter().take_while(|&&value| value < 1e-10).count();
         let mut shapes = product(all.as_ref(), vectors.get(.., 0..count), Par::Seq);
@@ -122,7 +126,8 @@ fn centre_and_size(coordinates: &Coordinates<'_>) -> Result<([f64; 3], f64), Mod
         return Err(ModeError::MassNotPositive { mass: total });
     }
     let centre = moment.map(|value| value / total);
-    let distance = |position: &[f64; 3]| (0..3).fold(0.0_f64, |far, i| far.max((position[i] - centre[i]).abs()));
+    let distance =
+        |position: &[f64; 3]| (0..3).fold(0.0_f64, |far, i| far.max((position[i] - centre[i]).abs()));
     let size = model.nodes.positions.iter().map(distance).fold(0.0, f64::max);
     Ok((centre, if size > 0.0 { size } else { 1.0 }))
 }

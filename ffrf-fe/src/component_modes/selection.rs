@@ -87,7 +87,10 @@ impl NodeSelection {
             }
         };
         if rows.is_empty() {
-            return Err(ComponentModeError::NothingSelected { selection: self.to_string(), nodes: nodes.len() });
+            return Err(ComponentModeError::NothingSelected {
+                selection: self.to_string(),
+                nodes: nodes.len(),
+            });
         }
         Ok(rows)
     }

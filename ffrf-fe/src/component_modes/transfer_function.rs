@@ -43,8 +43,9 @@ pub fn transfer_functions(
     rigid.balance(&mut forces);
     let stiffness = DynamicStiffness::new(&coordinates)?;
     let scale = modes.report.compliance.iter().map(|x| x.sqrt().recip()).collect::<Vec<_>>();
-    let scaled =
-        |matrix: &Mat<f64>| Mat::from_fn(scale.len(), scale.len(), |i, j| matrix[(i, j)] * scale[i] * scale[j]);
+    let scaled = |matrix: &Mat<f64>| {
+        Mat::from_fn(scale.len(), scale.len(), |i, j| matrix[(i, j)] * scale[i] * scale[j])
+    };
     let compare = |&frequency_hz: &f64| {
         let mut shapes = stiffness.solve(frequency_hz, forces.as_ref())?;
         rigid.remove_from(&mut shapes);

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use faer::Mat;
+use ffrf_fe::FeModel;
 use ffrf_fe::component_modes::{ComponentRequest, Interface, NodeSelection, reduce_component_modes};
 use ffrf_fe::import::{ModelFiles, NodeSource, read_model};
 use ffrf_fe::modes::{ModeRequest, compute_modes};
 use ffrf_fe::reduction::{MarkerRequest, ReductionOptions, reduce};
-use ffrf_fe::FeModel;
 use ffrf_model::ReducedBody;
 
 use crate::free_body::{marker_rows, mass_matrix, stiffness_matrix};
@@ -37,9 +37,8 @@ fn held_frequencies(body: &ReducedBody) -> Vec<f64> {
         );
         reduced = reduced.transpose().to_owned();
     }
-    let symmetric: Mat<f64> = Mat::from_fn(reduced.nrows(), reduced.ncols(), |i, j| {
-        0.5 * (reduced[(i, j)] + reduced[(j, i)])
-    });
+    let symmetric: Mat<f64> =
+        Mat::from_fn(reduced.nrows(), reduced.ncols(), |i, j| 0.5 * (reduced[(i, j)] + reduced[(j, i)]));
     let values = symmetric.self_adjoint_eigenvalues(faer::Side::Lower).unwrap();
     values.into_iter().map(|value| value.max(0.0).sqrt() / std::f64::consts::TAU).collect()
 }

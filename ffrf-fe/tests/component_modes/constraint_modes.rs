@@ -48,9 +48,27 @@ fn rigid_motion_is_held_exactly() {
             let p = interfaces[i / 6].reference_point();
             let rotation = |axis: usize| if k == 3 + axis { 1.0 } else { 0.0 };
             match i % 6 {
-                0 => if k == 0 { 1.0 } else { rotation(1) * p[2] - rotation(2) * p[1] },
-                1 => if k == 1 { 1.0 } else { rotation(2) * p[0] - rotation(0) * p[2] },
-                2 => if k == 2 { 1.0 } else { rotation(0) * p[1] - rotation(1) * p[0] },
+                0 => {
+                    if k == 0 {
+                        1.0
+                    } else {
+                        rotation(1) * p[2] - rotation(2) * p[1]
+                    }
+                }
+                1 => {
+                    if k == 1 {
+                        1.0
+                    } else {
+                        rotation(2) * p[0] - rotation(0) * p[2]
+                    }
+                }
+                2 => {
+                    if k == 2 {
+                        1.0
+                    } else {
+                        rotation(0) * p[1] - rotation(1) * p[0]
+                    }
+                }
                 axis => rotation(axis - 3),
             }
         });

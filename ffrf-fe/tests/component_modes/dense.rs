@@ -24,9 +24,14 @@ impl Dense {
         let nodes = model.nodes.len();
         let full_stiffness = model.stiffness.as_ref().unwrap().to_dense();
         let scalar = model.mass.to_dense();
-        let full_mass = Mat::from_fn(3 * nodes, 3 * nodes, |i, j| {
-            if i % 3 == j % 3 { scalar[(i / 3, j / 3)] } else { 0.0 }
-        });
+        let full_mass =
+            Mat::from_fn(
+                3 * nodes,
+                3 * nodes,
+                |i, j| {
+                    if i % 3 == j % 3 { scalar[(i / 3, j / 3)] } else { 0.0 }
+                },
+            );
         let rigid_ones: Vec<&Interface> =
             interfaces.iter().filter(|i| *i.coupling() == Coupling::Rigid).collect();
         let claimed = |row: usize| rigid_ones.iter().position(|interface| interface.nodes().contains(&row));
@@ -81,9 +86,8 @@ impl Dense {
     /// B (K - ω²M)⁻¹ Bᵀ.
     pub fn receptance(&self, hertz: f64) -> Mat<f64> {
         let value = (std::f64::consts::TAU * hertz).powi(2);
-        let dynamic = Mat::from_fn(self.size(), self.size(), |i, j| {
-            self.stiffness[(i, j)] - value * self.mass[(i, j)]
-        });
+        let dynamic =
+            Mat::from_fn(self.size(), self.size(), |i, j| self.stiffness[(i, j)] - value * self.mass[(i, j)]);
         &self.motion * dynamic.full_piv_lu().solve(self.motion.transpose())
     }
 

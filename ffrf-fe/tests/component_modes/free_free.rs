@@ -11,8 +11,12 @@ use crate::free_body::receptance;
 use crate::parts::{bar, compute, mixed_ends, rigid_ends};
 use crate::tolerances::{RESPONSE, ROUND_OFF};
 
-const BASES: [ComponentBasis; 4] =
-    [ComponentBasis::CraigBampton, ComponentBasis::Attachment, ComponentBasis::Rubin, ComponentBasis::Herting];
+const BASES: [ComponentBasis; 4] = [
+    ComponentBasis::CraigBampton,
+    ComponentBasis::Attachment,
+    ComponentBasis::Rubin,
+    ComponentBasis::Herting,
+];
 
 /// Bodies of one basis: transformed, raw in mean axes, raw fixed to an interface, transformed along a chord.
 fn bodies(basis: ComponentBasis) -> Vec<ReducedBody> {

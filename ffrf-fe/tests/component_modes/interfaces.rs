@@ -102,5 +102,10 @@ fn the_assurance_criterion_tells_modes_apart() {
     let turned = faer::Scale(-3.0) * shapes;
     let plain = mac(shapes.as_ref(), turned.as_ref()).unwrap();
     assert!((0..plain.nrows()).all(|i| (plain[(i, i)] - 1.0).abs() < 1e-12));
-    assert!(mac(shapes.as_ref(), shapes.get(1.., ..)).unwrap_err().to_string().contains("expected 189, found 188"));
+    assert!(
+        mac(shapes.as_ref(), shapes.get(1.., ..))
+            .unwrap_err()
+            .to_string()
+            .contains("expected 189, found 188")
+    );
 }

@@ -1,6 +1,8 @@
 //! Interface transfer functions against the full model.
 
-use ffrf_fe::component_modes::{ComponentBasis, ComponentRequest, reduce_component_modes, transfer_functions};
+use ffrf_fe::component_modes::{
+    ComponentBasis, ComponentRequest, reduce_component_modes, transfer_functions,
+};
 use ffrf_fe::reduction::ReductionOptions;
 
 use crate::dense::{Dense, deviation};
@@ -54,12 +56,16 @@ fn the_sparse_response_of_the_full_model_is_that_of_dense_algebra() {
 fn every_basis_converges_and_static_bases_are_exact_at_rest() {
     let model = bar();
     let frequencies = [1.0, 800.0, 3000.0];
-    for basis in
-        [ComponentBasis::CraigBampton, ComponentBasis::Attachment, ComponentBasis::Rubin, ComponentBasis::Herting]
-    {
+    for basis in [
+        ComponentBasis::CraigBampton,
+        ComponentBasis::Attachment,
+        ComponentBasis::Rubin,
+        ComponentBasis::Herting,
+    ] {
         let mut before = f64::INFINITY;
         for count in [2, 6, 20] {
-            let request = ComponentRequest { basis, ..ComponentRequest::craig_bampton(mixed_ends(&model), count) };
+            let request =
+                ComponentRequest { basis, ..ComponentRequest::craig_bampton(mixed_ends(&model), count) };
             let modes = compute(&model, &request);
             let points = transfer_functions(&model, &modes, &frequencies).unwrap();
             println!("{basis}, {count}: {points:?}");
