@@ -1,6 +1,7 @@
 //! The command line.
 
 mod code;
+mod interfaces;
 
 use std::path::PathBuf;
 
@@ -9,6 +10,7 @@ use ffrf_fe::import::{INFLATED_LIMIT, MassForm};
 use ffrf_model::Units;
 
 pub use code::{Generate, Inspect};
+pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify.
 #[derive(Debug, Parser)]
@@ -44,7 +46,9 @@ Examples:
   ffrf reduce --abaqus rod.inp --mass rod_MASS1.mtx --stiffness rod_STIF1.mtx --modes 8 \\
        --marker big_end=17 --damping-ratio 0.01 -o rod.ffrf.json
   ffrf reduce --calculix rod.inp --modes 6 --clamp FIXED -o rod.ffrf.json
-  ffrf reduce --nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt -o body.ffrf.json";
+  ffrf reduce --nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt -o body.ffrf.json
+  ffrf reduce --calculix rod.inp --interface HUB=set:BORE,rbe2 --interface PIN=set:SMALL,rbe3 \\
+       --basis craig-bampton --modes 20 -o rod.ffrf.json";
 
 const INSPECT_EXAMPLE: &str = "\
 Example:
@@ -140,6 +144,8 @@ pub struct Reduce {
     pub files: FeFiles,
     #[command(flatten)]
     pub choice: ModeChoice,
+    #[command(flatten)]
+    pub interfaces: InterfaceChoice,
     /// Modal stiffness matrix K_ff, M x M, in place of the projected stiffness (text, Matrix Market or NumPy).
     #[arg(long, value_name = "K_ff", help_heading = "Modes")]
     pub modal_stiffness: Option<PathBuf>,

@@ -42,6 +42,9 @@ pub fn mode_table(body: &ReducedBody) -> String {
         let kind = match mode.kind {
             ModeKind::FreeFree => "free-free",
             ModeKind::Clamped => "clamped",
+            ModeKind::Component => "component",
+            ModeKind::Constraint => "constraint",
+            ModeKind::Attachment => "attachment",
             ModeKind::User => "user",
             _ => "other",
         };

@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod component_modes;
 mod describe;
 mod evaluate;
 mod fe_input;
@@ -22,6 +23,7 @@ mod reduce;
 mod report;
 mod sample_states;
 mod states;
+mod transfer_plot;
 mod verify;
 
 use std::process::ExitCode;

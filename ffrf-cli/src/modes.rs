@@ -31,8 +31,12 @@ pub fn solve(
         Some(clamp) => ModeRequest::clamped(count, node_rows(&model.nodes, clamp).context("--clamp")?),
         None => ModeRequest::free_free(count),
     };
+    with_progress(|progress| compute_modes(model, &request, progress))
+        .context("the modes could not be computed")
+}
+
+/// Runs a computation of modes and tells its progress.
+pub fn with_progress<R>(compute: impl FnOnce(&mut dyn FnMut(Progress)) -> R) -> R {
     let teller = Teller::new();
-    let solution = compute_modes(model, &request, &mut |progress| teller.tell(progress));
-    drop(teller);
-    solution.context("the modes could not be computed")
+    compute(&mut |progress| teller.tell(progress))
 }

@@ -4,10 +4,11 @@ use anyhow::{Context, Result};
 use ffrf_fe::Nodes;
 use ffrf_fe::import::{read_square_matrix, source_file};
 use ffrf_fe::reduction::{Damping, MODE_SHAPES, MarkerRequest, ReductionOptions, reduce};
+use ffrf_model::ReducedBody;
 
 use crate::arguments::{MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
-use crate::{describe, fe_input, modes, output};
+use crate::{component_modes, describe, fe_input, modes, output};
 
 /// Runs the command.
 pub fn run(arguments: &Reduce) -> Result<()> {
@@ -15,6 +16,12 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     let say = |text: &str| output::say_beside(&arguments.output, text);
     say(&format!("{}\n", fe_input::describe(&model)))?;
     let mut options = options(arguments, &model.nodes)?;
+    if !arguments.interfaces.interfaces.is_empty() {
+        let (body, text) =
+            modes::with_progress(|progress| component_modes::reduce(&model, arguments, &options, progress))?;
+        say(&format!("{text}\n"))?;
+        return finish(arguments, &body);
+    }
     let solution = modes::solve(&model, &arguments.choice, None, arguments.files.conversion())?;
     if let Some(path) = &arguments.modal_stiffness {
         let mut stiffness = read_square_matrix(path, solution.basis.modes.len())?;
@@ -33,11 +40,16 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     say(&format!("{}\n", solution.report))?;
     let first = solution.report.modes.first().and_then(|mode| mode.frequency_hz);
     fe_input::warn_of_units(&model, arguments.files.body_units(), first);
-    let body = reduce(&model, &solution.basis, &options)?;
+    finish(arguments, &reduce(&model, &solution.basis, &options)?)
+}
+
+/// Checks, writes and describes the body.
+fn finish(arguments: &Reduce, body: &ReducedBody) -> Result<()> {
+    let say = |text: &str| output::say_beside(&arguments.output, text);
     let checks = body.check()?;
     checks.verdict()?;
     output::write(Some(&arguments.output), &body.to_json()?)?;
-    say(&format!("\n{}\n{}", describe::body(&body), describe::checks(&checks)))?;
+    say(&format!("\n{}\n{}", describe::body(body), describe::checks(&checks)))?;
     say(&format!("written: {}\n", arguments.output.display()))
 }
 

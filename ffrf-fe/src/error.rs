@@ -10,6 +10,9 @@ pub enum FeError {
     /// The modes cannot be computed.
     #[error(transparent)]
     Modes(#[from] crate::modes::ModeError),
+    /// The component modes cannot be computed.
+    #[error(transparent)]
+    ComponentModes(#[from] crate::component_modes::ComponentModeError),
     /// The body cannot be reduced.
     #[error(transparent)]
     Reduction(#[from] crate::reduction::ReductionError),

@@ -1,9 +1,11 @@
 //! Finite-element import, modes and reduction to a flexible body.
 //!
 //! The way through this crate: files --[`import`]--> [`FeModel`] --[`modes`]--> [`ModeBasis`]
-//! --[`reduction`]--> [`ffrf_model::ReducedBody`].
+//! --[`reduction`]--> [`ffrf_model::ReducedBody`]. Bodies that joints load at interfaces take their basis from
+//! [`component_modes`] in place of [`modes`].
 #![forbid(unsafe_code)]
 
+pub mod component_modes;
 pub mod elements;
 mod error;
 mod fe_model;

@@ -85,6 +85,12 @@ pub enum ModeKind {
     FreeFree,
     /// Eigenmode with a node set held fixed.
     Clamped,
+    /// Eigenmode of the unsupported body within a basis of component modes (Craig-Bampton, Rubin, ...).
+    Component,
+    /// Static shape of a unit motion of one interface coordinate, all others at rest.
+    Constraint,
+    /// Static shape of a load: attachment, inertia relief, static correction.
+    Attachment,
     /// Supplied by the user.
     User,
 }

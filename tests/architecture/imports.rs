@@ -26,7 +26,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
             "ffrf-cli",
             entry(
                 &["ffrf-codegen", "ffrf-fe", "ffrf-model", "ffrf-runtime"],
-                &["anyhow", "clap", "indicatif", "serde", "serde_json"],
+                &["anyhow", "clap", "indicatif", "plotters", "serde", "serde_json"],
             ),
         ),
         (

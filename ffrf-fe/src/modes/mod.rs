@@ -42,7 +42,12 @@ pub use request::{Method, ModeRequest, ModeSolution, Progress, Stage, Support};
 pub use solve::compute_modes;
 pub use user::user_modes;
 
+pub(crate) use block::{gram, product, subtract_product, symmetrised};
+pub(crate) use canonical::settle_signs;
 pub(crate) use dense::{cholesky, generalised_eigen};
-pub(crate) use problem::entries;
+pub(crate) use factor::{Analysis, Factor};
+pub(crate) use ordering::{analyse, order as node_order, permutation};
+pub(crate) use problem::{entries, mass_times_full};
+pub(crate) use random::Random;
 pub(crate) use symmetric_eigen::symmetric_eigen;
 pub(crate) use user::times as stiffness_times;

@@ -1,0 +1,112 @@
+//! `ffrf reduce --interface ...`: a body with component modes.
+
+use anyhow::{Context, Result, bail};
+use ffrf_fe::FeModel;
+use ffrf_fe::component_modes::{
+    BasisForm, ComponentModes, ComponentRequest, Interface, ModeSelection, StaticLoad, TransferPoint,
+    area_weights, component_modes, reduce_component_modes, transfer_functions,
+};
+use ffrf_fe::modes::Progress;
+use ffrf_fe::reduction::ReductionOptions;
+use ffrf_model::ReducedBody;
+
+use crate::arguments::{CouplingArgument, InterfaceArgument, InterfaceChoice, Reduce};
+use crate::transfer_plot;
+
+/// The body, and what there is to say about its modes.
+pub fn reduce(
+    model: &FeModel,
+    arguments: &Reduce,
+    options: &ReductionOptions,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<(ReducedBody, String)> {
+    let choice = &arguments.interfaces;
+    let Some(normal_modes) = arguments.choice.modes else {
+        bail!("--interface needs --modes, the number of normal modes of its basis (0 for none)");
+    };
+    if arguments.choice.clamp.is_some() {
+        bail!(
+            "--clamp and --interface exclude each other: a Craig-Bampton basis holds the interfaces itself"
+        );
+    }
+    if arguments.modal_stiffness.is_some() {
+        bail!("--modal-stiffness goes with --mode-shapes, not with --interface");
+    }
+    let request = request(model, choice, normal_modes)?;
+    let modes =
+        component_modes(model, &request, progress).context("the component modes could not be computed")?;
+    let mut text = format!("{}\n", modes.report);
+    if let Some(limit) = choice.transfer_up_to {
+        text.push_str(&compare(model, &modes, choice, limit)?);
+    }
+    Ok((reduce_component_modes(model, &modes, options)?, text))
+}
+
+fn request(model: &FeModel, choice: &InterfaceChoice, normal_modes: usize) -> Result<ComponentRequest> {
+    let interfaces = choice
+        .interfaces
+        .iter()
+        .map(|argument| interface(model, argument).with_context(|| format!("--interface {}", argument.name)));
+    let loads = choice.static_loads.iter().map(|load| {
+        let rows = load.nodes.rows(&model.nodes).context("--static-load")?;
+        Ok(StaticLoad::uniform(&rows, load.force))
+    });
+    Ok(ComponentRequest {
+        basis: choice.basis.into(),
+        static_loads: loads.collect::<Result<_>>()?,
+        form: if choice.raw { BasisForm::Raw } else { BasisForm::FreeFree },
+        selection: ModeSelection {
+            above_hz: choice.keep_above,
+            below_hz: choice.keep_below,
+            importance: choice.keep_importance,
+            count: choice.keep_count,
+        },
+        reference: choice.reference.clone(),
+        ..ComponentRequest::craig_bampton(interfaces.collect::<Result<_>>()?, normal_modes)
+    })
+}
+
+fn interface(model: &FeModel, argument: &InterfaceArgument) -> Result<Interface> {
+    let rows = argument.nodes.rows(&model.nodes)?;
+    let interface = Interface::rigid(model, &argument.name, &rows)?;
+    let interface = match argument.coupling {
+        CouplingArgument::Rigid => interface,
+        CouplingArgument::Mean => interface.averaged(),
+        CouplingArgument::MeanByArea => {
+            let weights = area_weights(model, interface.nodes())?;
+            interface.weighted(model, weights)?
+        }
+    };
+    Ok(match argument.reference_point {
+        Some(point) => interface.at(point)?,
+        None => interface,
+    })
+}
+
+/// Table of the truncation error over frequency, and its plot.
+fn compare(model: &FeModel, modes: &ComponentModes, choice: &InterfaceChoice, limit: f64) -> Result<String> {
+    if !(limit.is_finite() && limit > 0.0) {
+        bail!("--transfer-up-to: expected a frequency above 0 Hz, found {limit}");
+    }
+    let count = choice.transfer_points.max(1);
+    let frequencies: Vec<f64> = (1..=count).map(|i| limit * i as f64 / count as f64).collect();
+    let points = transfer_functions(model, modes, &frequencies).context("interface transfer functions")?;
+    if let Some(path) = &choice.transfer_plot {
+        let picture = transfer_plot::draw(&points)?;
+        ffrf_model::write_file(path, picture.as_bytes())
+            .with_context(|| format!("{}: cannot be written", path.display()))?;
+    }
+    Ok(table(&points))
+}
+
+fn table(points: &[TransferPoint]) -> String {
+    let mut text = String::from(
+        "interface transfer functions, elastic part, each motion relative to its static compliance\n\
+         frequency/Hz    full model       reduced         error\n",
+    );
+    for point in points {
+        let TransferPoint { frequency_hz, full, reduced, error } = point;
+        text.push_str(&format!("{frequency_hz:>12.3}  {full:>12.6e}  {reduced:>12.6e}  {error:>12.3e}\n"));
+    }
+    text
+}
