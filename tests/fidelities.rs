@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
 use ffrf::nalgebra::{SMatrix, SVector, UnitQuaternion, Vector2, Vector3};
-use ffrf::{FlexibleBody, FreeBody, step_rk4};
+use ffrf::{DenseForms, FlexibleBody, FreeBody, GeneralisedForce, Observables};
 use ffrf_codegen::fidelity::EnergyTerm;
 use ffrf_codegen::{Fidelity, GenerateOptions, Kernels};
 use ffrf_test_kit::interpreted_body::InterpretedBody;
@@ -25,7 +25,7 @@ fn body(fidelity: Fidelity) -> Interpreted {
     InterpretedBody(Kernels::formulate(&model, &options).unwrap())
 }
 
-fn flying<B: FlexibleBody<2, 8>>(body: B) -> FreeBody<B, 2, 8> {
+fn flying<B: FlexibleBody<Modal = Vector2<f64>>>(body: B) -> FreeBody<B> {
     FreeBody::new(body)
         .with_position(Vector3::new(0.4, -0.1, 0.2))
         .with_orientation(UnitQuaternion::from_scaled_axis(Vector3::new(0.3, -0.8, 0.5)))
@@ -35,7 +35,7 @@ fn flying<B: FlexibleBody<2, 8>>(body: B) -> FreeBody<B, 2, 8> {
 }
 
 /// Relative drifts of energy, linear and angular momentum over half a second.
-fn drifts<B: FlexibleBody<2, 8>>(body: B, steps: usize) -> [f64; 3] {
+fn drifts<B: Observables<Modal = Vector2<f64>>>(body: B, steps: usize) -> [f64; 3] {
     let mut body = flying(body);
     let before =
         (body.kinetic_energy() + body.elastic_energy(), body.linear_momentum(), body.angular_momentum());
@@ -116,23 +116,19 @@ fn terms_dropped_from_the_equations_lose_energy() {
     let state = flying(body(Fidelity::Full)).state;
     let (q, omega, q_dot) = (state.modal_coordinates, state.angular_velocity, state.modal_rates);
     // The power that the equations leave: the body's own accelerations against the careless ones.
-    let right = careless.full.forward_dynamics(&q, &omega, &q_dot, &SVector::zeros());
+    let nothing = GeneralisedForce::zeros(&q);
+    let right = careless.full.forward_dynamics(&q, &omega, &q_dot, &nothing).to_vector::<8>();
     let wrong = careless.acceleration(&q, &omega, &q_dot);
     let velocity = state.body_velocity();
-    let speeds =
-        SVector::<f64, 8>::from_iterator(velocity.iter().chain(omega.iter()).chain(q_dot.iter()).copied());
+    let speeds = state.velocities().to_vector::<8>();
     let power = speeds.dot(&(careless.full.mass_matrix(&q) * (wrong - right)));
     let energy = careless.full.kinetic_energy(&q, &velocity, &omega, &q_dot);
     eprintln!("power out of nothing: {power:e} W at {energy:e} J");
     assert!(power.abs() > 1e-3 * energy);
     // The same with the kernels of one energy is round-off.
-    let step = step_rk4(&careless.full, &state, 0.0, 1e-6, &()).unwrap().0;
-    let after = careless.full.kinetic_energy(
-        &step.modal_coordinates,
-        &step.body_velocity(),
-        &step.angular_velocity,
-        &step.modal_rates,
-    ) + careless.full.elastic_energy(&step.modal_coordinates);
+    let mut stepped = FreeBody::new(careless.full.clone()).with_state(state);
+    stepped.step_rk4(1e-6, &()).unwrap();
+    let after = stepped.kinetic_energy() + stepped.elastic_energy();
     let before = energy + careless.full.elastic_energy(&q);
     assert!((after - before).abs() < ROUND_OFF * before);
 }

@@ -10,7 +10,7 @@ mod bodies;
 mod jacobians_m2;
 
 use ffrf::nalgebra::{SMatrix, SVector, Vector2, Vector3};
-use ffrf::{FlexibleBodyJacobians, flexible_body};
+use ffrf::{FlexibleBodyJacobians, GeneralisedForce, flexible_body};
 use ffrf_codegen::formulate::kernels::FORWARD_DYNAMICS;
 use ffrf_codegen::{GenerateOptions, KernelInput, Kernels};
 use ffrf_model::ReducedBody;
@@ -71,7 +71,9 @@ fn check<B: FlexibleBodyJacobians<2, 8>>(body: &B, kernels: &Kernels) {
         let force = SVector::<f64, 8>::from_row_slice(&point[7..15]);
 
         let found = body.acceleration_jacobian(&q, &omega, &q_dot, &force);
-        close("acceleration", &found.acceleration, &body.forward_dynamics(&q, &omega, &q_dot, &force));
+        let resultant = GeneralisedForce::from_vector(&force);
+        let expected = body.forward_dynamics(&q, &omega, &q_dot, &resultant).to_vector();
+        close("acceleration", &found.acceleration, &expected);
         let columns = found
             .coordinates
             .column_iter()

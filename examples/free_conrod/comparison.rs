@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::path::Path;
 
-use ffrf::FlexibleBody;
 use ffrf::nalgebra::{SVector, Vector3};
+use ffrf::{DenseForms, Observables};
 use ffrf_fe::oracle::{Oracle, OracleState, group_of};
 use ffrf_model::ReducedBody;
 

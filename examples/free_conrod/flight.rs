@@ -27,7 +27,7 @@ const BLOW: [f64; 3] = [0.0, 0.02, 0.02];
 #[derive(Clone, Copy)]
 pub struct Sample {
     pub time: f64,
-    pub state: State<M>,
+    pub state: State<SVector<f64, M>>,
     pub kinetic_energy: f64,
     pub elastic_energy: f64,
     pub linear_momentum: Vector3<f64>,
@@ -35,7 +35,7 @@ pub struct Sample {
 }
 
 impl Sample {
-    fn of(body: &FreeBody<Conrod, M, N>) -> Self {
+    fn of(body: &FreeBody<Conrod>) -> Self {
         Self {
             time: body.time,
             state: body.state,
@@ -65,23 +65,24 @@ pub struct Record {
 }
 
 /// The rod at rest in its rotating frame (stretched by its spin), then struck.
-fn launch() -> Result<FreeBody<Conrod, M, N>, Box<dyn Error>> {
+fn launch() -> Result<FreeBody<Conrod>, Box<dyn Error>> {
     let spin = Vector3::from(SPIN);
     let still = SVector::<f64, M>::zeros();
-    let stiffness = Conrod.stiffness_matrix().cholesky().ok_or("modal stiffness is not positive definite")?;
+    let stiffness = Conrod.stiffness().factor().ok_or("modal stiffness is not positive definite")?;
     // K q = -Q_f(q, ω, 0); the spin softens the rod so little that few rounds settle it
     let mut q = still;
     for _ in 0..10 {
-        q = stiffness.solve(&-Conrod.quadratic_velocity(&q, &spin, &still).fixed_rows::<M>(6));
+        q = stiffness.solve(&-Conrod.prepare(&q, &spin, &still).quadratic_velocity.modal);
     }
     // M(q) Δ[v; ω; q̇] = generalised impulse of the blow
-    let impulse = Conrod.marker_force(&Conrod::SMALL_END, &q, &Vector3::from(BLOW));
-    let mass = Conrod.mass_matrix(&q).cholesky().ok_or("mass matrix is not positive definite")?;
-    let change = mass.solve(&impulse);
+    let impulse = Conrod::SMALL_END.force(&q, &Vector3::from(BLOW));
+    let modes = Conrod.modal_mass().factor().ok_or("modal mass is not positive definite")?;
+    let mass = Conrod.prepare(&q, &spin, &still).eliminate(modes).factor();
+    let change = mass.ok_or("mass matrix is not positive definite")?.solve(&impulse);
     Ok(FreeBody::new(Conrod)
-        .with_velocity(change.fixed_rows::<3>(0).into_owned())
-        .with_spin(spin + change.fixed_rows::<3>(3))
-        .with_deformation(q, change.fixed_rows::<M>(6).into_owned()))
+        .with_velocity(change.linear)
+        .with_spin(spin + change.angular)
+        .with_deformation(q, change.modal))
 }
 
 /// Simulates `duration` seconds without forces.

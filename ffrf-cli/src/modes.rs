@@ -3,7 +3,7 @@
 use anyhow::{Context, Result, bail};
 use ffrf_fe::FeModel;
 use ffrf_fe::import::read_mode_shapes;
-use ffrf_fe::modes::{ModeRequest, ModeSolution, compute_modes, user_modes};
+use ffrf_fe::modes::{ModeRequest, ModeSolution, Progress, compute_modes, user_modes};
 use ffrf_fe::units::Conversion;
 
 use crate::arguments::ModeChoice;

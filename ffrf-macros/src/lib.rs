@@ -27,8 +27,8 @@ use proc_macro::TokenStream;
 /// }
 /// ```
 ///
-/// The result is a unit struct that implements `ffrf::FlexibleBody<M, N, scalar>`, with a constant for each marker
-/// of the model. When the model file changes, the crate is rebuilt. A model that fails its consistency checks is an error
+/// The result is a unit struct that implements `ffrf::FlexibleBody<scalar>`, `Observables`, `DenseForms<M, N, scalar>` and
+/// `NamedMarkers`, with a constant for each marker of the model. When the model file changes, the crate is rebuilt. A model that fails its consistency checks is an error
 /// at the path: see `ffrf_model::ReducedBody::check`.
 ///
 /// With `scalar: generic` it implements that trait for every real number type of nalgebra: f64, f32, and dual numbers

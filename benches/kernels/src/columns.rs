@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use ffrf::nalgebra::{RealField, SMatrix, SVector, Vector3, convert};
-use ffrf::{EquationsOfMotion, FlexibleBody};
+use ffrf::{DenseForms, EquationsOfMotion, GeneralisedForce};
 
 use crate::cases;
 use crate::timing::Column;
@@ -25,6 +25,8 @@ pub struct States<const M: usize, const N: usize, T> {
     pub q_dot: Vec<SVector<T, M>>,
     /// Generalised forces.
     pub force: Vec<SVector<T, N>>,
+    /// The same in named parts.
+    pub parts: Vec<GeneralisedForce<SVector<T, M>, T>>,
 }
 
 impl<const M: usize, const N: usize, T: RealField + Copy> States<M, N, T> {
@@ -32,12 +34,14 @@ impl<const M: usize, const N: usize, T: RealField + Copy> States<M, N, T> {
     #[allow(clippy::new_without_default)]
     pub fn new() -> Self {
         let mut random = Random::new(7);
-        let mut states = Self { q: vec![], omega: vec![], q_dot: vec![], force: vec![] };
+        let mut states = Self { q: vec![], omega: vec![], q_dot: vec![], force: vec![], parts: vec![] };
         for _ in 0..32 {
             states.q.push(SVector::from_fn(|_, _| convert(0.2 * random.number())));
             states.omega.push(Vector3::from_fn(|_, _| convert(2.0 * random.number())));
             states.q_dot.push(SVector::from_fn(|_, _| convert(random.number())));
-            states.force.push(SVector::from_fn(|_, _| convert(random.number())));
+            let force = SVector::from_fn(|_, _| convert(random.number()));
+            states.force.push(force);
+            states.parts.push(GeneralisedForce::from_vector(&force));
         }
         states
     }
@@ -51,7 +55,7 @@ pub fn columns<'a, const M: usize, const N: usize, T, B>(
 ) -> [Column<'a>; 2]
 where
     T: RealField + Copy,
-    B: FlexibleBody<M, N, T>,
+    B: DenseForms<M, N, T>,
 {
     let zero = SVector::<T, N>::zeros();
     let mut equations = Box::new(EquationsOfMotion::<M, N, T> {
@@ -80,7 +84,7 @@ where
         Column {
             name: format!("{name} {ACCELERATIONS}"),
             call: Box::new(move |k| {
-                black_box(body.forward_dynamics(&s.q[k], &s.omega[k], &s.q_dot[k], &s.force[k]));
+                black_box(body.forward_dynamics(&s.q[k], &s.omega[k], &s.q_dot[k], &s.parts[k]));
             }),
         },
     ]

@@ -1,7 +1,7 @@
 //! One reference case: every state, every quantity.
 
-use ffrf::FlexibleBody;
 use ffrf::nalgebra::{SMatrix, SVector};
+use ffrf::{DenseForms, GeneralisedForce, NamedMarkers, Observables};
 use serde_json::Value;
 
 use crate::Run;
@@ -25,7 +25,7 @@ struct Worst {
 /// Compares `body` with the case `name`.
 pub fn check<B, const M: usize, const N: usize>(run: &mut Run, name: &str, body: &B)
 where
-    B: FlexibleBody<M, N>,
+    B: DenseForms<M, N> + Observables + NamedMarkers,
 {
     let case = run.read(&format!("{name}.json"));
     let scale = case["invariants"]["m"].as_f64().expect("m") * case["size"].as_f64().expect("size");
@@ -46,7 +46,7 @@ where
 
 fn check_state<B, const M: usize, const N: usize>(body: &B, state: &Value, scale: f64, worst: &mut Worst)
 where
-    B: FlexibleBody<M, N>,
+    B: DenseForms<M, N> + Observables + NamedMarkers,
 {
     let a = rotation(&state["theta"]);
     let q: SVector<f64, M> = vector(&state["q"]);
@@ -61,7 +61,8 @@ where
     worst.quadratic = worst.quadratic.max(vector_deviation(quadratic.as_slice(), &numbers(&state["qw_b"])));
 
     let tolerance = (100.0 * state["acc_uncertainty_rel"].as_f64().expect("uncertainty")).max(1e-10);
-    let acceleration = body.forward_dynamics(&q, &omega, &q_dot, &force);
+    let resultant = GeneralisedForce::from_vector(&force);
+    let acceleration = body.forward_dynamics(&q, &omega, &q_dot, &resultant).to_vector::<N>();
     let off = vector_deviation(acceleration.as_slice(), &numbers(&state["acc_b"]));
     worst.acceleration_over_tolerance = worst.acceleration_over_tolerance.max(off / tolerance);
 
@@ -82,11 +83,11 @@ where
         .momentum
         .max(deviation(linear.as_slice(), &numbers(&state["P"]), scale))
         .max(deviation(angular.as_slice(), &numbers(&state["L_origin"]), scale));
-    let gravity = body.gravity_force(&q, &(a.transpose() * vector3(&state["gravity"]["g"])));
+    let gravity = body.gravity_force(&q, &(a.transpose() * vector3(&state["gravity"]["g"]))).to_vector::<N>();
     let expected = to_body(&a, &vector::<N>(&state["gravity"]["Q"]));
     worst.momentum = worst.momentum.max(vector_deviation(gravity.as_slice(), expected.as_slice()));
 
-    check_markers(body, state, &q, &q_dot, worst);
+    check_markers::<B, M, N>(body, state, &q, &q_dot, worst);
 }
 
 fn check_markers<B, const M: usize, const N: usize>(
@@ -96,7 +97,7 @@ fn check_markers<B, const M: usize, const N: usize>(
     q_dot: &SVector<f64, M>,
     worst: &mut Worst,
 ) where
-    B: FlexibleBody<M, N>,
+    B: NamedMarkers<Modal = SVector<f64, M>>,
 {
     let a = rotation(&state["theta"]);
     let omega = a.transpose() * vector3(&state["omega"]);
@@ -106,13 +107,13 @@ fn check_markers<B, const M: usize, const N: usize>(
         body.marker(&wanted).expect("a marker for every node that the case names")
     };
     let marker = find(&state["nodal_force"]["node"]);
-    let found = body.marker_force(&marker, q, &(a.transpose() * vector3(&state["nodal_force"]["f"])));
+    let found = marker.force(q, &(a.transpose() * vector3(&state["nodal_force"]["f"]))).to_vector::<N>();
     let expected = to_body(&a, &vector::<N>(&state["nodal_force"]["Q"]));
     worst.markers = worst.markers.max(vector_deviation(found.as_slice(), expected.as_slice()));
 
     let marker = find(&state["probe"]["node"]);
-    let position = vector3(&state["q_t"]) + a * body.marker_position(&marker, q);
-    let rate = a * body.marker_velocity(&marker, q, &velocity, &omega, q_dot);
+    let position = vector3(&state["q_t"]) + a * marker.position(q);
+    let rate = a * marker.velocity(q, &velocity, &omega, q_dot);
     worst.markers = worst
         .markers
         .max(deviation(position.as_slice(), &numbers(&state["probe"]["r"]), 1.0))

@@ -1,6 +1,6 @@
 //! Free flight of a baked body against the reference trajectory.
 
-use ffrf::nalgebra::{Quaternion, UnitQuaternion};
+use ffrf::nalgebra::{Quaternion, SVector, UnitQuaternion};
 use ffrf::{FlexibleBody, FreeBody};
 use serde_json::Value;
 
@@ -13,9 +13,9 @@ const STEP: f64 = 1e-4;
 const AGREEMENT: f64 = 1e-8;
 
 /// Integrates from the first sample and compares at every other one.
-pub fn check<B, const M: usize, const N: usize>(run: &mut Run, name: &str, body: B)
+pub fn check<B, const M: usize>(run: &mut Run, name: &str, body: B)
 where
-    B: FlexibleBody<M, N>,
+    B: FlexibleBody<Modal = SVector<f64, M>>,
 {
     let trajectory = run.read(&format!("{name}.json"));
     let samples = trajectory["samples"].as_array().expect("samples");
@@ -51,9 +51,9 @@ where
     }
 }
 
-fn start<B, const M: usize, const N: usize>(body: B, sample: &Value) -> FreeBody<B, M, N>
+fn start<B, const M: usize>(body: B, sample: &Value) -> FreeBody<B>
 where
-    B: FlexibleBody<M, N>,
+    B: FlexibleBody<Modal = SVector<f64, M>>,
 {
     let theta = numbers(&sample["theta"]);
     let orientation = UnitQuaternion::from_quaternion(Quaternion::new(theta[0], theta[1], theta[2], theta[3]));

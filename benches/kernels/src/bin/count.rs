@@ -3,14 +3,14 @@
 
 use std::hint::black_box;
 
-use ffrf::FlexibleBody;
 use ffrf::nalgebra::{SMatrix, SVector, Vector3};
+use ffrf::{DenseForms, GeneralisedForce, Motion};
 
 /// Calls the kernel of that name; `None` if the name belongs to another body.
 ///
 /// Not inlined, so that the code of one body does not depend on how much of the others stands around it.
 #[inline(never)]
-fn call<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
+fn call<const M: usize, const N: usize, B: DenseForms<M, N>>(
     body: &B,
     prefix: &str,
     name: &str,
@@ -20,6 +20,8 @@ fn call<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
     let q = black_box(SVector::<f64, M>::from_element(0.01));
     let omega = black_box(Vector3::new(0.1, 0.2, 0.3));
     let force = black_box(SVector::<f64, N>::from_element(1.0));
+    let parts = black_box(GeneralisedForce::from_vector(&force));
+    let mut motion = Motion::zeros(&q);
     let mut mass = Box::new(SMatrix::<f64, N, N>::zeros());
     let (mut quadratic, mut acceleration) = (SVector::zeros(), SVector::zeros());
     for _ in 0..calls {
@@ -33,10 +35,10 @@ fn call<const M: usize, const N: usize, B: FlexibleBody<M, N>>(
                 &mut quadratic,
                 &mut acceleration,
             ),
-            "forward_dynamics" => acceleration = body.forward_dynamics(&q, &omega, &q, &force),
+            "forward_dynamics" => motion = body.forward_dynamics(&q, &omega, &q, &parts),
             _ => return None,
         }
-        black_box((&mass, &quadratic, &acceleration));
+        black_box((&mass, &quadratic, &acceleration, &motion));
     }
     Some(())
 }

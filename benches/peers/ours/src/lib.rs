@@ -1,7 +1,7 @@
 //! The C interface of benches/peers around a generated body.
 
-use ffrf_runtime::FlexibleBody;
 use ffrf_runtime::nalgebra::{SMatrix, SVector, Vector3};
+use ffrf_runtime::{DenseForms, FlexibleBody, GeneralisedForce};
 
 include!(concat!(env!("OUT_DIR"), "/size.rs"));
 
@@ -53,5 +53,6 @@ pub extern "C" fn ffrf_accelerations(
     force: &SVector<f64, N>,
     acceleration: &mut SVector<f64, N>,
 ) {
-    *acceleration = body().forward_dynamics(q, omega, q_dot, force);
+    let force = GeneralisedForce::from_vector(force);
+    *acceleration = body().forward_dynamics(q, omega, q_dot, &force).to_vector();
 }
