@@ -140,9 +140,8 @@ fn derivative<const M: usize, const N: usize>(
     let inputs = at.q.iter_mut().chain(at.omega.iter_mut()).chain(at.q_dot.iter_mut());
     inputs.chain(at.force.iter_mut()).nth(direction).unwrap().eps = 1.0;
     let force = GeneralisedForce::from_vector(&at.force);
-    body.forward_dynamics(&at.q, &at.omega, &at.q_dot, &force)
-        .to_vector()
-        .map(|acceleration| acceleration.eps)
+    let all: SVector<Dual64, N> = body.forward_dynamics(&at.q, &at.omega, &at.q_dot, &force).to_vector();
+    all.map(|acceleration| acceleration.eps)
 }
 
 #[test]

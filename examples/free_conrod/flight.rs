@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use ffrf::nalgebra::{SVector, Vector3};
 use ffrf::{FlexibleBody, FreeBody, State};
 
-use crate::{Conrod, M, N};
+use crate::{Conrod, M};
 
 /// Step of RK4, in s: an eighth of the radian of the highest mode (7.8 kHz), so that all eight ring on undamped.
 const STEP: f64 = 2.5e-6;

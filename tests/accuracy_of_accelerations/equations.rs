@@ -1,9 +1,11 @@
 //! What is compared: kernels that give accelerations, and the truth.
 
 use ffrf::nalgebra::{DMatrix, DVector};
-use ffrf_codegen::expression::{Scalar, Symbol, evaluate};
-use ffrf_codegen::formulate::{Kernel, KernelKind};
-use ffrf_codegen::lanes::IN_LANES;
+use ffrf_codegen::expression::{Input, Scalar, Symbol, evaluate};
+use ffrf_codegen::formulate::kernels::{
+    EQUATIONS_OF_MOTION, FORWARD_DYNAMICS, INTERNAL_FORCE, MASS_MATRIX, QUADRATIC_VELOCITY,
+};
+use ffrf_codegen::formulate::{Definition, Kernel};
 use ffrf_codegen::{FusedMultiplyAdd, KernelInput, Kernels, passes};
 
 use crate::double_double::DoubleDouble;
@@ -34,17 +36,20 @@ pub struct Statements(Vec<Kernel>);
 impl Statements {
     /// The kernels that the suite asks for.
     pub fn new(kernels: &Kernels) -> Self {
-        let wanted = kernels.kernels().iter().filter(|kernel| IN_LANES.contains(&kernel.kind));
+        let names = [&MASS_MATRIX, &QUADRATIC_VELOCITY, &FORWARD_DYNAMICS, &EQUATIONS_OF_MOTION]
+            .map(|definition| definition.signature.name);
+        let wanted = kernels.kernels().iter().filter(|kernel| names.contains(&kernel.signature.name));
         Self(wanted.map(|kernel| passes::run(kernel.clone(), FusedMultiplyAdd::Auto)).collect())
     }
 
-    fn evaluate<T: Real>(&self, kind: KernelKind, point: &Point<T>, force: &[T]) -> Vec<T> {
-        let kernel = self.0.iter().find(|kernel| kernel.kind == kind).unwrap();
+    fn evaluate<T: Real>(&self, definition: &Definition, point: &Point<T>, force: &[T]) -> Vec<T> {
+        let name = definition.signature.name;
+        let kernel = self.0.iter().find(|kernel| kernel.signature.name == name).unwrap();
         evaluate(&kernel.graph, &kernel.outputs, |symbol| match symbol {
-            Symbol::Coordinate(k) => point.q[k],
-            Symbol::Rate(k) => point.q_dot[k],
-            Symbol::AngularVelocity(k) => point.omega[k],
-            Symbol::Force(k) => force[k],
+            Symbol::Input(input, k) if input == Input::COORDINATES => point.q[k],
+            Symbol::Input(input, k) if input == Input::RATES => point.q_dot[k],
+            Symbol::Input(input, k) if input == Input::ANGULAR_VELOCITY => point.omega[k],
+            Symbol::Input(input, k) if input == Input::FORCE => force[k],
             _ => panic!("no such input"),
         })
     }
@@ -52,19 +57,19 @@ impl Statements {
 
 impl<T: Real> Equations<T> for Statements {
     fn mass_matrix(&self, point: &Point<T>) -> Vec<T> {
-        self.evaluate(KernelKind::MassMatrix, point, &[])
+        self.evaluate(&MASS_MATRIX, point, &[])
     }
 
     fn quadratic_velocity(&self, point: &Point<T>) -> Vec<T> {
-        self.evaluate(KernelKind::QuadraticVelocity, point, &[])
+        self.evaluate(&QUADRATIC_VELOCITY, point, &[])
     }
 
     fn accelerations(&self, point: &Point<T>, force: &[T]) -> Vec<T> {
-        self.evaluate(KernelKind::ForwardDynamics, point, force)
+        self.evaluate(&FORWARD_DYNAMICS, point, force)
     }
 
     fn accelerations_with_equations(&self, point: &Point<T>, force: &[T]) -> Vec<T> {
-        let results = self.evaluate(KernelKind::EquationsOfMotion, point, force);
+        let results = self.evaluate(&EQUATIONS_OF_MOTION, point, force);
         results[results.len() - force.len()..].to_vec()
     }
 }
@@ -108,7 +113,7 @@ impl<T: Real> Point<T> {
 
     /// K q + D q̇. Shape: M.
     pub fn internal_force(&self, kernels: &Kernels) -> Vec<T> {
-        kernels.evaluate(KernelKind::InternalForce, &self.input())
+        kernels.evaluate(&INTERNAL_FORCE, &self.input())
     }
 }
 
@@ -129,9 +134,9 @@ impl Truth {
         };
         let (q, q_dot, omega) = (exact(&point.q), exact(&point.q_dot), exact(&point.omega));
         let input = KernelInput { q: &q, q_dot: &q_dot, omega: &omega, ..KernelInput::default() };
-        let mass = kernels.evaluate(KernelKind::MassMatrix, &input);
-        let mut bias = kernels.evaluate(KernelKind::QuadraticVelocity, &input);
-        let internal = kernels.evaluate(KernelKind::InternalForce, &input);
+        let mass = kernels.evaluate(&MASS_MATRIX, &input);
+        let mut bias = kernels.evaluate(&QUADRATIC_VELOCITY, &input);
+        let internal = kernels.evaluate(&INTERNAL_FORCE, &input);
         bias.iter_mut().skip(6).zip(internal).for_each(|(bias, internal)| *bias = *bias + internal);
         let factor = cholesky(&mass, bias.len());
         Self { mass, bias, factor }
