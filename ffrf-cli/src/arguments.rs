@@ -2,6 +2,7 @@
 
 mod code;
 mod interfaces;
+mod simulate;
 
 use std::path::PathBuf;
 
@@ -11,8 +12,9 @@ use ffrf_model::Units;
 
 pub use code::{Generate, Inspect};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
+pub use simulate::Simulate;
 
-/// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify.
+/// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate.
 #[derive(Debug, Parser)]
 #[command(name = "ffrf", version, max_term_width = 100, arg_required_else_help = true)]
 pub struct Arguments {
@@ -39,7 +41,16 @@ pub enum Command {
     /// Check the kernels of a reduced body against the finite-element model, node by node.
     #[command(after_help = VERIFY_EXAMPLE)]
     Verify(Verify),
+    /// Simulate a mechanism from a scene file, without a compiler.
+    #[command(after_help = SIMULATE_EXAMPLE)]
+    Simulate(Simulate),
 }
+
+const SIMULATE_EXAMPLE: &str = "\
+Examples:
+  ffrf simulate pendulum.toml -o pendulum.csv
+  ffrf simulate pendulum.toml --check
+  ffrf simulate pendulum.toml -o first.csv --save-state middle.json";
 
 const REDUCE_EXAMPLE: &str = "\
 Examples:

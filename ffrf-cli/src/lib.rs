@@ -22,6 +22,7 @@ mod progress;
 mod reduce;
 mod report;
 mod sample_states;
+mod simulate;
 mod states;
 mod transfer_plot;
 mod verify;
@@ -51,6 +52,7 @@ pub fn run() -> ExitCode {
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

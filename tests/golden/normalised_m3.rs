@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          120 operations: 87 multiply-add, 6 multiply, 27 add
 //   quadratic_velocity   261 operations: 168 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide
-//   equations_of_motion  458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide
+//   forward_dynamics     477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide
+//   equations_of_motion  477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide
 //   kinetic_energy       203 operations: 136 multiply-add, 27 multiply, 40 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      27 operations: 24 multiply-add, 3 multiply
@@ -397,7 +397,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide.
+    /// Cost: 477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -548,109 +548,108 @@ const _: () = {
         let t27 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
         let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.014346531659143, q_dot2, t27);
 
-        // Elimination of the modal accelerations (63 operations: 60 multiply-add, 3 multiply)
-        let t28 = fma(-coupling_x1, coupling_x1, fma(-coupling_x0, coupling_x0, inertia_xx));
-        let t29 = fma(-coupling_y1, coupling_y1, fma(-coupling_y0, coupling_y0, inertia_yy));
-        let t30 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
-        let t31 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
-        let t32 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
-        let t33 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
+        // Elimination of the modal accelerations (81 operations: 42 multiply-add, 21 multiply, 18 add)
+        let t28 = fma(coupling_x2, coupling_x2, fma(coupling_x1, coupling_x1, coupling_x0 * coupling_x0));
+        let t29 = fma(coupling_y2, coupling_y2, fma(coupling_y1, coupling_y1, coupling_y0 * coupling_y0));
+        let t30 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
+        let t31 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
+        let t32 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
+        let t33 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
         let t34 = fma(-0.25776611797120724, coupling_x1, -0.06409007611640456 * coupling_x0);
         let t35 = fma(-0.23893014622917852, coupling_x2, t34);
-        let t36 = fma(0.25776611797120724, coupling_y1, fma(0.06409007611640456, coupling_y0, first_moment_z));
-        let t37 = fma(0.23893014622917852, coupling_y2, t36);
-        let t38 = fma(-0.25776611797120724, coupling_z1, fma(-0.06409007611640456, coupling_z0, first_moment_y));
-        let t39 = fma(-0.23893014622917852, coupling_z2, t38);
-        let t40 = fma(-0.17297569884952893, coupling_x1, fma(-0.9001934196050294, coupling_x0, first_moment_z));
-        let t41 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
-        let t42 = fma(0.17297569884952893, coupling_z1, fma(0.9001934196050294, coupling_z0, first_moment_x));
-        let t43 = fma(0.05794438109558275, coupling_x1, fma(0.10812284215722648, coupling_x0, first_moment_y));
-        let t44 = fma(-0.05794438109558275, coupling_y1, fma(-0.10812284215722648, coupling_y0, first_moment_x));
-        let t45 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
-        let reduced_force_x = fma(0.06409007611640456, modal_residual0, force_x - fma(-omega_z, t2, omega_y * t4));
-        let reduced_force_x = fma(0.23893014622917852, modal_residual2, fma(0.25776611797120724, modal_residual1, reduced_force_x));
-        let reduced_force_y = fma(0.9001934196050294, modal_residual0, force_y - fma(-omega_x, t4, omega_z * t6));
-        let reduced_force_y = fma(0.42481972953070996, modal_residual2, fma(0.17297569884952893, modal_residual1, reduced_force_y));
-        let reduced_force_z = fma(0.10812284215722648, modal_residual0, force_z - fma(-omega_y, t6, omega_x * t2));
-        let reduced_force_z = fma(-0.02522646067793359, modal_residual2, fma(0.05794438109558275, modal_residual1, reduced_force_z));
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - (t7 + t9)));
-        let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
-        let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
-        let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
+        let t36 = fma(-0.25776611797120724, coupling_y1, -0.06409007611640456 * coupling_y0);
+        let t37 = fma(-0.23893014622917852, coupling_y2, t36);
+        let t38 = first_moment_z - t37;
+        let t39 = fma(-0.25776611797120724, coupling_z1, -0.06409007611640456 * coupling_z0);
+        let t40 = first_moment_y + fma(-0.23893014622917852, coupling_z2, t39);
+        let t41 = fma(-0.17297569884952893, coupling_x1, -0.9001934196050294 * coupling_x0);
+        let t42 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
+        let t43 = fma(-0.17297569884952893, coupling_z1, -0.9001934196050294 * coupling_z0);
+        let t44 = fma(-0.05794438109558275, coupling_x1, -0.10812284215722648 * coupling_x0);
+        let t45 = fma(-0.05794438109558275, coupling_y1, -0.10812284215722648 * coupling_y0);
+        let t46 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
+        let t47 = fma(-0.25776611797120724, modal_residual1, -0.06409007611640456 * modal_residual0);
+        let reduced_force_x = force_x - fma(-omega_z, t2, omega_y * t4) - fma(-0.23893014622917852, modal_residual2, t47);
+        let t48 = fma(-0.17297569884952893, modal_residual1, -0.9001934196050294 * modal_residual0);
+        let reduced_force_y = force_y - fma(-omega_x, t4, omega_z * t6) - fma(-0.42481972953070996, modal_residual2, t48);
+        let t49 = fma(-0.05794438109558275, modal_residual1, -0.10812284215722648 * modal_residual0);
+        let reduced_force_z = force_z - fma(-omega_y, t6, omega_x * t2) - fma(0.02522646067793359, modal_residual2, t49);
+        let t50 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let reduced_moment_x = moment_x - (t7 + t9) - fma(coupling_x2, modal_residual2, t50);
+        let t51 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - (t10 + t12) - fma(coupling_y2, modal_residual2, t51);
+        let t52 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - (t13 + t15) - fma(coupling_z2, modal_residual2, t52);
 
-        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
-        let t46 = fma(t35, 0.028180006971925246, fma(-0.42481972953070996, coupling_x2, t40));
-        let t47 = fma(-0.0021901949832171925, t35, fma(-0.02522646067793359, coupling_x2, t43));
-        let t48 = fma(-0.015330768093777324, t46, t47);
-        let t49 = fma(-0.028180006971925246, t39, fma(0.42481972953070996, coupling_z2, t42));
-        let t50 = fma(t39, 0.0021901949832171925, fma(0.02522646067793359, coupling_z2, t45));
-        let t51 = fma(-0.015330768093777324, t49, t50);
-        let t52 = t51 * -0.13620443776353558;
-        let t53 = 0.15791229759220463 * t49;
-        let t54 = t39 * -0.13828439976734327;
-        let t55 = fma(t46, t53, fma(t35, t54, fma(-coupling_x2, coupling_z2, t32)));
-        let t56 = fma(-t48, t52, t55);
-        let t57 = fma(t37, -0.028180006971925246, fma(-0.42481972953070996, coupling_y2, t41));
-        let t58 = fma(t37, -0.0021901949832171925, fma(0.02522646067793359, coupling_y2, t44));
-        let t59 = fma(0.015330768093777324, t57, t58);
-        let t60 = t59 * -0.13620443776353558;
-        let t61 = t57 * -0.15791229759220463;
-        let t62 = t37 * 0.13828439976734327;
-        let t63 = fma(t46, t61, fma(t35, t62, fma(-coupling_x2, coupling_y2, t33)));
-        let t64 = fma(-t48, t60, t63);
-        let t65 = t64 * 0.09904722110632364;
-        let t66 = fma(t57, t53, fma(-t37, t54, fma(-coupling_y2, coupling_z2, t31)));
-        let t67 = 0.13620443776353558 * t48;
-        let t68 = t46 * -0.15791229759220463;
-        let t69 = t35 * -0.13828439976734327;
-        let t70 = fma(t46, t68, fma(t35, t69, fma(-coupling_x2, coupling_x2, t28)));
-        let t71 = fma(-t48, t67, t70);
-        let t72 = t71 * 0.09904722110632364;
-        let t73 = fma(-t56, t65, fma(t59, t52, t66) * t72);
-        let t74 = fma(t57, t61, fma(-t37, t62, fma(-coupling_y2, coupling_y2, t29)));
-        let t75 = fma(-t64, t65, fma(t59, t60, t74) * t72);
-        let t76 = fma(-t49, t53, fma(t39, t54, fma(-coupling_z2, coupling_z2, t30)));
-        let t77 = fma(-t56, t56 * 0.09904722110632364, fma(t51, t52, t76) * t72);
-        let t78 = 1.0 / t75;
-        let t79 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
-        let t80 = fma(0.015330768093777324, t79, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
-        let t81 = 0.13620443776353558 * t80;
-        let t82 = 0.15791229759220463 * t79;
-        let t83 = reduced_force_x * 0.13828439976734327;
-        let t84 = fma(-t48, t81, fma(t46, t82, fma(t35, t83, reduced_moment_x)));
-        let t85 = 1.0 / t71;
-        let t86 = t64 * t85;
-        let t87 = fma(t59, t81, fma(t57, t82, fma(-t37, t83, reduced_moment_y)));
-        let t88 = fma(-t84, t86, t87);
-        let t89 = t56 * t85;
-        let t90 = fma(t51, t81, fma(-t49, t82, fma(t39, t83, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / fma(-t73, t73, t75 * t77) * (t72 * t75) * fma(-(t73 * t78), t88, fma(-t84, t89, t90));
-        let angular_acceleration_y = fma(-(t73 * t78), angular_acceleration_z, t72 * t78 * t88);
-        let angular_acceleration_x = fma(-t86, angular_acceleration_y, fma(-t89, angular_acceleration_z, t84 * t85));
-        let acceleration_z = fma(-t60, angular_acceleration_y, fma(-t67, angular_acceleration_x, t81));
-        let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t61, angular_acceleration_y, fma(-t68, angular_acceleration_x, t82));
-        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t53, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t62, angular_acceleration_y, fma(-t69, angular_acceleration_x, t83));
-        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t54, angular_acceleration_z, acceleration_x));
+        // Rigid-body accelerations (93 operations: 61 multiply-add, 28 multiply, 1 add, 3 divide)
+        let t53 = fma(t35, 0.028180006971925246, first_moment_z + fma(-0.42481972953070996, coupling_x2, t41));
+        let t54 = fma(-0.0021901949832171925, t35, first_moment_y - fma(0.02522646067793359, coupling_x2, t44));
+        let t55 = fma(-0.015330768093777324, t53, t54);
+        let t56 = fma(-0.028180006971925246, t40, first_moment_x - fma(-0.42481972953070996, coupling_z2, t43));
+        let t57 = fma(t40, 0.0021901949832171925, fma(0.02522646067793359, coupling_z2, t46));
+        let t58 = fma(-0.015330768093777324, t56, t57);
+        let t59 = t58 * -0.13620443776353558;
+        let t60 = 0.15791229759220463 * t56;
+        let t61 = t40 * -0.13828439976734327;
+        let t62 = fma(-t55, t59, fma(t53, t60, fma(t35, t61, inertia_xz - t32)));
+        let t63 = fma(t38, -0.028180006971925246, fma(-0.42481972953070996, coupling_y2, t42));
+        let t64 = fma(t38, -0.0021901949832171925, first_moment_x + fma(0.02522646067793359, coupling_y2, t45));
+        let t65 = fma(0.015330768093777324, t63, t64);
+        let t66 = t65 * -0.13620443776353558;
+        let t67 = t63 * -0.15791229759220463;
+        let t68 = t38 * 0.13828439976734327;
+        let t69 = fma(-t55, t66, fma(t53, t67, fma(t35, t68, inertia_xy - t33)));
+        let t70 = t69 * 0.09904722110632364;
+        let t71 = t37 - first_moment_z;
+        let t72 = fma(t65, t59, fma(t63, t60, fma(t71, t61, inertia_yz - t31)));
+        let t73 = 0.13620443776353558 * t55;
+        let t74 = t53 * -0.15791229759220463;
+        let t75 = t35 * -0.13828439976734327;
+        let t76 = fma(-t55, t73, fma(t53, t74, fma(t35, t75, inertia_xx - t28)));
+        let t77 = t76 * 0.09904722110632364;
+        let t78 = fma(-t62, t70, t72 * t77);
+        let t79 = fma(t65, t66, fma(t63, t67, fma(t71, t68, inertia_yy - t29)));
+        let t80 = fma(-t69, t70, t79 * t77);
+        let t81 = fma(t58, t59, fma(-t56, t60, fma(t40, t61, inertia_zz - t30)));
+        let t82 = fma(-t78, t78, t80 * fma(-t62, t62 * 0.09904722110632364, t81 * t77));
+        let t83 = 1.0 / t80;
+        let t84 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
+        let t85 = fma(0.015330768093777324, t84, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
+        let t86 = 0.13620443776353558 * t85;
+        let t87 = 0.15791229759220463 * t84;
+        let t88 = reduced_force_x * 0.13828439976734327;
+        let t89 = fma(-t55, t86, fma(t53, t87, fma(t35, t88, reduced_moment_x)));
+        let t90 = 1.0 / t76;
+        let t91 = t69 * t90;
+        let t92 = fma(t65, t86, fma(t63, t87, fma(t71, t88, reduced_moment_y)));
+        let t93 = fma(-t89, t91, t92);
+        let t94 = t62 * t90;
+        let t95 = fma(t58, t86, fma(-t56, t87, fma(t40, t88, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / t82 * (t77 * t80) * fma(-(t78 * t83), t93, fma(-t89, t94, t95));
+        let angular_acceleration_y = fma(-(t78 * t83), angular_acceleration_z, t77 * t83 * t93);
+        let angular_acceleration_x = fma(-t91, angular_acceleration_y, fma(-t94, angular_acceleration_z, t89 * t90));
+        let acceleration_z = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t86));
+        let acceleration_z = fma(-t59, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t87));
+        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t60, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t68, angular_acceleration_y, fma(-t75, angular_acceleration_x, t88));
+        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t61, angular_acceleration_z, acceleration_x));
         let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
-        let t91 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
-        let t92 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t91));
-        let t93 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t92));
-        let t94 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
-        let t95 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t94));
-        let t96 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t95));
-        let t97 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
-        let t98 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t97));
-        let t99 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t98));
+        let t96 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
+        let t97 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t96));
+        let t98 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t97));
+        let t99 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
+        let t100 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t99));
+        let t101 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t100));
+        let t102 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
+        let t103 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t102));
+        let t104 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t103));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t93, t96, t99,
+            angular_acceleration_y, angular_acceleration_z, t98, t101, t104,
         ]
     }
 
@@ -658,7 +657,7 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 458 operations: 316 multiply-add, 88 multiply, 51 add, 3 divide.
+    /// Cost: 477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 3],
@@ -820,105 +819,104 @@ const _: () = {
         let t33 = fma(101.43465316591428, q2, fma(-0.8668418567424443, q1, 0.735813098445183 * q0));
         let modal_residual2 = modal_force2 - modal_quadratic2 - fma(1.014346531659143, q_dot2, t33);
 
-        // Elimination of the modal accelerations (63 operations: 60 multiply-add, 3 multiply)
-        let t34 = fma(-coupling_x1, coupling_x1, fma(-coupling_x0, coupling_x0, inertia_xx));
-        let t35 = fma(-coupling_y1, coupling_y1, fma(-coupling_y0, coupling_y0, inertia_yy));
-        let t36 = fma(-coupling_z1, coupling_z1, fma(-coupling_z0, coupling_z0, inertia_zz));
-        let t37 = fma(-coupling_y1, coupling_z1, fma(-coupling_y0, coupling_z0, inertia_yz));
-        let t38 = fma(-coupling_x1, coupling_z1, fma(-coupling_x0, coupling_z0, inertia_xz));
-        let t39 = fma(-coupling_x1, coupling_y1, fma(-coupling_x0, coupling_y0, inertia_xy));
+        // Elimination of the modal accelerations (81 operations: 42 multiply-add, 21 multiply, 18 add)
+        let t34 = fma(coupling_x2, coupling_x2, fma(coupling_x1, coupling_x1, coupling_x0 * coupling_x0));
+        let t35 = fma(coupling_y2, coupling_y2, fma(coupling_y1, coupling_y1, coupling_y0 * coupling_y0));
+        let t36 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
+        let t37 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
+        let t38 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
+        let t39 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
         let t40 = fma(-0.25776611797120724, coupling_x1, -0.06409007611640456 * coupling_x0);
         let t41 = fma(-0.23893014622917852, coupling_x2, t40);
-        let t42 = fma(0.25776611797120724, coupling_y1, fma(0.06409007611640456, coupling_y0, first_moment_z));
-        let t43 = fma(0.23893014622917852, coupling_y2, t42);
-        let t44 = fma(-0.25776611797120724, coupling_z1, fma(-0.06409007611640456, coupling_z0, first_moment_y));
-        let t45 = fma(-0.23893014622917852, coupling_z2, t44);
-        let t46 = fma(-0.17297569884952893, coupling_x1, fma(-0.9001934196050294, coupling_x0, first_moment_z));
-        let t47 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
-        let t48 = fma(0.17297569884952893, coupling_z1, fma(0.9001934196050294, coupling_z0, first_moment_x));
-        let t49 = fma(0.05794438109558275, coupling_x1, fma(0.10812284215722648, coupling_x0, first_moment_y));
-        let t50 = fma(-0.05794438109558275, coupling_y1, fma(-0.10812284215722648, coupling_y0, first_moment_x));
-        let t51 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
-        let reduced_force_x = fma(0.25776611797120724, modal_residual1, fma(0.06409007611640456, modal_residual0, force_x - t5));
-        let reduced_force_x = fma(0.23893014622917852, modal_residual2, reduced_force_x);
-        let reduced_force_y = fma(0.17297569884952893, modal_residual1, fma(0.9001934196050294, modal_residual0, force_y - t8));
-        let reduced_force_y = fma(0.42481972953070996, modal_residual2, reduced_force_y);
-        let reduced_force_z = fma(0.05794438109558275, modal_residual1, fma(0.10812284215722648, modal_residual0, force_z - t9));
-        let reduced_force_z = fma(-0.02522646067793359, modal_residual2, reduced_force_z);
-        let reduced_moment_x = fma(-coupling_x1, modal_residual1, fma(-coupling_x0, modal_residual0, moment_x - t13));
-        let reduced_moment_x = fma(-coupling_x2, modal_residual2, reduced_moment_x);
-        let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
-        let reduced_moment_y = fma(-coupling_y2, modal_residual2, reduced_moment_y);
-        let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
-        let reduced_moment_z = fma(-coupling_z2, modal_residual2, reduced_moment_z);
+        let t42 = fma(-0.25776611797120724, coupling_y1, -0.06409007611640456 * coupling_y0);
+        let t43 = fma(-0.23893014622917852, coupling_y2, t42);
+        let t44 = first_moment_z - t43;
+        let t45 = fma(-0.25776611797120724, coupling_z1, -0.06409007611640456 * coupling_z0);
+        let t46 = first_moment_y + fma(-0.23893014622917852, coupling_z2, t45);
+        let t47 = fma(-0.17297569884952893, coupling_x1, -0.9001934196050294 * coupling_x0);
+        let t48 = fma(-0.17297569884952893, coupling_y1, -0.9001934196050294 * coupling_y0);
+        let t49 = fma(-0.17297569884952893, coupling_z1, -0.9001934196050294 * coupling_z0);
+        let t50 = fma(-0.05794438109558275, coupling_x1, -0.10812284215722648 * coupling_x0);
+        let t51 = fma(-0.05794438109558275, coupling_y1, -0.10812284215722648 * coupling_y0);
+        let t52 = fma(-0.05794438109558275, coupling_z1, -0.10812284215722648 * coupling_z0);
+        let t53 = fma(-0.25776611797120724, modal_residual1, -0.06409007611640456 * modal_residual0);
+        let reduced_force_x = force_x - t5 - fma(-0.23893014622917852, modal_residual2, t53);
+        let t54 = fma(-0.17297569884952893, modal_residual1, -0.9001934196050294 * modal_residual0);
+        let reduced_force_y = force_y - t8 - fma(-0.42481972953070996, modal_residual2, t54);
+        let t55 = fma(-0.05794438109558275, modal_residual1, -0.10812284215722648 * modal_residual0);
+        let reduced_force_z = force_z - t9 - fma(0.02522646067793359, modal_residual2, t55);
+        let t56 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let reduced_moment_x = moment_x - t13 - fma(coupling_x2, modal_residual2, t56);
+        let t57 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - t17 - fma(coupling_y2, modal_residual2, t57);
+        let t58 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - t21 - fma(coupling_z2, modal_residual2, t58);
 
-        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
-        let t52 = fma(t41, 0.028180006971925246, fma(-0.42481972953070996, coupling_x2, t46));
-        let t53 = fma(-0.0021901949832171925, t41, fma(-0.02522646067793359, coupling_x2, t49));
-        let t54 = fma(-0.015330768093777324, t52, t53);
-        let t55 = fma(-0.028180006971925246, t45, fma(0.42481972953070996, coupling_z2, t48));
-        let t56 = fma(t45, 0.0021901949832171925, fma(0.02522646067793359, coupling_z2, t51));
-        let t57 = fma(-0.015330768093777324, t55, t56);
-        let t58 = t57 * -0.13620443776353558;
-        let t59 = 0.15791229759220463 * t55;
-        let t60 = t45 * -0.13828439976734327;
-        let t61 = fma(t52, t59, fma(t41, t60, fma(-coupling_x2, coupling_z2, t38)));
-        let t62 = fma(-t54, t58, t61);
-        let t63 = fma(t43, -0.028180006971925246, fma(-0.42481972953070996, coupling_y2, t47));
-        let t64 = fma(t43, -0.0021901949832171925, fma(0.02522646067793359, coupling_y2, t50));
-        let t65 = fma(0.015330768093777324, t63, t64);
-        let t66 = t65 * -0.13620443776353558;
-        let t67 = t63 * -0.15791229759220463;
-        let t68 = t43 * 0.13828439976734327;
-        let t69 = fma(t52, t67, fma(t41, t68, fma(-coupling_x2, coupling_y2, t39)));
-        let t70 = fma(-t54, t66, t69);
-        let t71 = t70 * 0.09904722110632364;
-        let t72 = fma(t63, t59, fma(-t43, t60, fma(-coupling_y2, coupling_z2, t37)));
-        let t73 = 0.13620443776353558 * t54;
-        let t74 = t52 * -0.15791229759220463;
-        let t75 = t41 * -0.13828439976734327;
-        let t76 = fma(t52, t74, fma(t41, t75, fma(-coupling_x2, coupling_x2, t34)));
-        let t77 = fma(-t54, t73, t76);
-        let t78 = t77 * 0.09904722110632364;
-        let t79 = fma(-t62, t71, fma(t65, t58, t72) * t78);
-        let t80 = fma(t63, t67, fma(-t43, t68, fma(-coupling_y2, coupling_y2, t35)));
-        let t81 = fma(-t70, t71, fma(t65, t66, t80) * t78);
-        let t82 = fma(-t55, t59, fma(t45, t60, fma(-coupling_z2, coupling_z2, t36)));
-        let t83 = fma(-t62, t62 * 0.09904722110632364, fma(t57, t58, t82) * t78);
-        let t84 = 1.0 / t81;
-        let t85 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
-        let t86 = fma(0.015330768093777324, t85, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
-        let t87 = 0.13620443776353558 * t86;
-        let t88 = 0.15791229759220463 * t85;
-        let t89 = reduced_force_x * 0.13828439976734327;
-        let t90 = fma(-t54, t87, fma(t52, t88, fma(t41, t89, reduced_moment_x)));
-        let t91 = 1.0 / t77;
-        let t92 = t70 * t91;
-        let t93 = fma(t65, t87, fma(t63, t88, fma(-t43, t89, reduced_moment_y)));
-        let t94 = fma(-t90, t92, t93);
-        let t95 = t62 * t91;
-        let t96 = fma(t57, t87, fma(-t55, t88, fma(t45, t89, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / fma(-t79, t79, t81 * t83) * (t78 * t81) * fma(-(t79 * t84), t94, fma(-t90, t95, t96));
-        let angular_acceleration_y = fma(-(t79 * t84), angular_acceleration_z, t78 * t84 * t94);
-        let angular_acceleration_x = fma(-t92, angular_acceleration_y, fma(-t95, angular_acceleration_z, t90 * t91));
-        let acceleration_z = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t87));
-        let acceleration_z = fma(-t58, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t88));
-        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t59, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t68, angular_acceleration_y, fma(-t75, angular_acceleration_x, t89));
-        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t60, angular_acceleration_z, acceleration_x));
+        // Rigid-body accelerations (93 operations: 61 multiply-add, 28 multiply, 1 add, 3 divide)
+        let t59 = fma(t41, 0.028180006971925246, first_moment_z + fma(-0.42481972953070996, coupling_x2, t47));
+        let t60 = fma(-0.0021901949832171925, t41, first_moment_y - fma(0.02522646067793359, coupling_x2, t50));
+        let t61 = fma(-0.015330768093777324, t59, t60);
+        let t62 = fma(-0.028180006971925246, t46, first_moment_x - fma(-0.42481972953070996, coupling_z2, t49));
+        let t63 = fma(t46, 0.0021901949832171925, fma(0.02522646067793359, coupling_z2, t52));
+        let t64 = fma(-0.015330768093777324, t62, t63);
+        let t65 = t64 * -0.13620443776353558;
+        let t66 = 0.15791229759220463 * t62;
+        let t67 = t46 * -0.13828439976734327;
+        let t68 = fma(-t61, t65, fma(t59, t66, fma(t41, t67, inertia_xz - t38)));
+        let t69 = fma(t44, -0.028180006971925246, fma(-0.42481972953070996, coupling_y2, t48));
+        let t70 = fma(t44, -0.0021901949832171925, first_moment_x + fma(0.02522646067793359, coupling_y2, t51));
+        let t71 = fma(0.015330768093777324, t69, t70);
+        let t72 = t71 * -0.13620443776353558;
+        let t73 = t69 * -0.15791229759220463;
+        let t74 = t44 * 0.13828439976734327;
+        let t75 = fma(-t61, t72, fma(t59, t73, fma(t41, t74, inertia_xy - t39)));
+        let t76 = t75 * 0.09904722110632364;
+        let t77 = t43 - first_moment_z;
+        let t78 = fma(t71, t65, fma(t69, t66, fma(t77, t67, inertia_yz - t37)));
+        let t79 = 0.13620443776353558 * t61;
+        let t80 = t59 * -0.15791229759220463;
+        let t81 = t41 * -0.13828439976734327;
+        let t82 = fma(-t61, t79, fma(t59, t80, fma(t41, t81, inertia_xx - t34)));
+        let t83 = t82 * 0.09904722110632364;
+        let t84 = fma(-t68, t76, t78 * t83);
+        let t85 = fma(t71, t72, fma(t69, t73, fma(t77, t74, inertia_yy - t35)));
+        let t86 = fma(-t75, t76, t85 * t83);
+        let t87 = fma(t64, t65, fma(-t62, t66, fma(t46, t67, inertia_zz - t36)));
+        let t88 = fma(-t84, t84, t86 * fma(-t68, t68 * 0.09904722110632364, t87 * t83));
+        let t89 = 1.0 / t86;
+        let t90 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
+        let t91 = fma(0.015330768093777324, t90, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
+        let t92 = 0.13620443776353558 * t91;
+        let t93 = 0.15791229759220463 * t90;
+        let t94 = reduced_force_x * 0.13828439976734327;
+        let t95 = fma(-t61, t92, fma(t59, t93, fma(t41, t94, reduced_moment_x)));
+        let t96 = 1.0 / t82;
+        let t97 = t75 * t96;
+        let t98 = fma(t71, t92, fma(t69, t93, fma(t77, t94, reduced_moment_y)));
+        let t99 = fma(-t95, t97, t98);
+        let t100 = t68 * t96;
+        let t101 = fma(t64, t92, fma(-t62, t93, fma(t46, t94, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / t88 * (t83 * t86) * fma(-(t84 * t89), t99, fma(-t95, t100, t101));
+        let angular_acceleration_y = fma(-(t84 * t89), angular_acceleration_z, t83 * t89 * t99);
+        let angular_acceleration_x = fma(-t97, angular_acceleration_y, fma(-t100, angular_acceleration_z, t95 * t96));
+        let acceleration_z = fma(-t72, angular_acceleration_y, fma(-t79, angular_acceleration_x, t92));
+        let acceleration_z = fma(-t65, angular_acceleration_z, acceleration_z);
+        let acceleration_y = fma(-t73, angular_acceleration_y, fma(-t80, angular_acceleration_x, t93));
+        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t66, angular_acceleration_z, acceleration_y));
+        let acceleration_x = fma(-t74, angular_acceleration_y, fma(-t81, angular_acceleration_x, t94));
+        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t67, angular_acceleration_z, acceleration_x));
         let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
-        let t97 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
-        let t98 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t97));
-        let t99 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t98));
-        let t100 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
-        let t101 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t100));
-        let t102 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t101));
-        let t103 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
-        let t104 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t103));
-        let t105 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t104));
+        let t102 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
+        let t103 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t102));
+        let t104 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t103));
+        let t105 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
+        let t106 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t105));
+        let t107 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t106));
+        let t108 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
+        let t109 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t108));
+        let t110 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t109));
 
         (
             [
@@ -962,7 +960,7 @@ const _: () = {
             [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1, modal_quadratic2],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t99, t102, t105,
+                angular_acceleration_y, angular_acceleration_z, t104, t107, t110,
             ],
         )
     }

@@ -33,6 +33,9 @@ pub(super) struct Prepared {
     right: Vec<Expression>,
 }
 
+/// Up to this number of modes the addition that is saved outweighs the rounding: see [`Prepared::subtract_product`].
+const SUBTRACTED_ONE_BY_ONE: usize = 2;
+
 impl ModalMass {
     /// Errors: [`CodegenError::RepeatedModes`] if Θ_ff is a constant that is not positive definite.
     pub(super) fn new(graph: &mut Graph, body: &BodyExpressions) -> Result<Self, CodegenError> {
@@ -134,9 +137,17 @@ impl ModalFactors {
 
 impl Prepared {
     /// start - xᵀ Θ_ff⁻¹ y
+    ///
+    /// More than a few products are summed before they are subtracted: `start` may be far larger than what remains,
+    /// and each subtraction from it would round by its size.
     pub(super) fn subtract_product(&self, graph: &mut Graph, start: Expression, other: &Self) -> Expression {
         let terms = self.left.iter().zip(&other.right).map(|(&x, &y)| (x, y));
-        minus_products(graph, start, terms)
+        if self.left.len() <= SUBTRACTED_ONE_BY_ONE {
+            return minus_products(graph, start, terms);
+        }
+        let zero = graph.zero();
+        let sum = graph.sum_of_products(zero, terms);
+        graph.subtract(start, sum)
     }
 }
 

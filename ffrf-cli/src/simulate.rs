@@ -1,0 +1,148 @@
+//! `ffrf simulate`: a scene file to samples over time.
+
+use std::fmt::Write as _;
+use std::io::IsTerminal;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result};
+use ffrf_host::scene::Scene;
+use ffrf_host::simulate::{Progress, SavedState, SceneCheck, Summary, check, header, simulate};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::arguments::Simulate;
+use crate::output;
+
+/// Runs the command.
+pub fn run(arguments: &Simulate) -> Result<()> {
+    let path = &arguments.scene;
+    let scene = Scene::read(path).with_context(|| format!("{}", path.display()))?;
+    if arguments.check {
+        let found = check(&scene).with_context(|| format!("{}", path.display()))?;
+        return output::say(&describe_check(&scene, &found));
+    }
+    let saved = arguments.load_state.as_deref().map(read_state).transpose()?;
+    let mut text = header(&scene).join(",");
+    text.push('\n');
+    let begin = Instant::now();
+    let teller = Teller::new(begin);
+    let result = simulate(
+        &scene,
+        saved.as_ref(),
+        |sample| {
+            // 17 significant digits: every number comes back to its last bit
+            let _ = write!(text, "{:.16e}", sample.time);
+            for value in &sample.values {
+                let _ = write!(text, ",{value:.16e}");
+            }
+            text.push('\n');
+            Ok(())
+        },
+        |progress| teller.tell(progress),
+    );
+    teller.end();
+    let summary = result.with_context(|| format!("{}", path.display()))?;
+    if let Some(target) = &arguments.output {
+        output::write(Some(target), &text)?;
+        let report = describe(&summary, begin.elapsed(), scene.settings.duration);
+        output::say_beside(target, &format!("{report}written: {}\n", target.display()))?;
+    }
+    if let Some(target) = &arguments.save_state {
+        let state = serde_json::to_string_pretty(&summary.end)?;
+        output::write(Some(target), &format!("{state}\n"))?;
+    }
+    Ok(())
+}
+
+fn read_state(path: &Path) -> Result<SavedState> {
+    let text = std::fs::read_to_string(path).with_context(|| format!("{}", path.display()))?;
+    serde_json::from_str(&text).with_context(|| format!("{}", path.display()))
+}
+
+fn describe(summary: &Summary, elapsed: Duration, duration: f64) -> String {
+    let advance = &summary.advance;
+    let mut text = format!(
+        "steps: {}, refused tries: {}, {:.3} s for {duration} s\n",
+        advance.steps,
+        advance.refused,
+        elapsed.as_secs_f64()
+    );
+    let [position, velocity] = summary.initial_residuals;
+    if position > 1e-12 || velocity > 1e-12 {
+        let _ = writeln!(
+            text,
+            "the initial state missed the joints by {position:.3e} (m or rad) and {velocity:.3e} per second; it was moved \
+             as little as possible, measured by the mass matrix"
+        );
+    }
+    let _ = writeln!(
+        text,
+        "largest drift of a step before it was corrected: {:.3e} (m or rad), {:.3e} per second",
+        advance.drift.position, advance.drift.velocity
+    );
+    text
+}
+
+fn describe_check(scene: &Scene, found: &SceneCheck) -> String {
+    let mut text = format!(
+        "bodies: {}\njoints: {}\nvelocities: {}\nconstraint rows: {}, of which redundant: {}\ndegrees of freedom: {}\n",
+        scene.body_names.join(", "),
+        if scene.connection_names.is_empty() { "none".to_owned() } else { scene.connection_names.join(", ") },
+        found.velocities,
+        found.rows,
+        found.redundant.len(),
+        found.degrees_of_freedom
+    );
+    for row in &found.redundant {
+        let _ = writeln!(text, "  redundant: {row}");
+    }
+    text.push_str("initial residuals (m or rad, and per second):\n");
+    for (joint, [position, velocity]) in &found.residuals {
+        let _ = writeln!(text, "  {joint}: {position:.3e}, {velocity:.3e}");
+    }
+    let [position, velocity] = found.assembled;
+    let _ = writeln!(text, "once assembled: {position:.3e}, {velocity:.3e}");
+    text
+}
+
+/// Progress on standard error: a bar on a terminal, else a line every few seconds.
+struct Teller {
+    bar: Option<ProgressBar>,
+    last: std::cell::Cell<Instant>,
+}
+
+/// How often a line is printed where there is no terminal.
+const INTERVAL: Duration = Duration::from_secs(5);
+
+impl Teller {
+    fn new(begin: Instant) -> Self {
+        let bar = std::io::stderr().is_terminal().then(|| {
+            let bar = ProgressBar::new(1000);
+            let style = ProgressStyle::with_template("simulate [{bar:40}] {percent} % {msg} {elapsed}");
+            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            bar
+        });
+        Self { bar, last: std::cell::Cell::new(begin) }
+    }
+
+    fn tell(&self, progress: Progress) {
+        let Progress { time, share, steps } = progress;
+        match &self.bar {
+            Some(bar) => {
+                bar.set_message(format!("t = {time:.4} s, {steps} steps"));
+                bar.set_position((1000.0 * share) as u64);
+            }
+            None if self.last.get().elapsed() >= INTERVAL => {
+                self.last.set(Instant::now());
+                output::complain(&format!("t = {time:.6} s ({:.0} %), {steps} steps\n", 100.0 * share));
+            }
+            None => {}
+        }
+    }
+
+    fn end(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
