@@ -25,6 +25,7 @@ pub struct Arguments {
 
 /// The subcommands.
 #[derive(Debug, Subcommand)]
+#[allow(clippy::large_enum_variant)] // there is one, once
 pub enum Command {
     /// Reduce a finite-element model to a flexible body (*.ffrf.json).
     #[command(after_help = REDUCE_EXAMPLE)]

@@ -36,7 +36,8 @@ pub fn draw(points: &[TransferPoint]) -> Result<String> {
             .y_desc("elastic receptance over static compliance; relative error")
             .y_label_formatter(&|value| format!("{value:.0e}"))
             .draw()?;
-        let series: [(&str, RGBColor, fn(&TransferPoint) -> f64); 3] = [
+        type Reading = fn(&TransferPoint) -> f64;
+        let series: [(&str, RGBColor, Reading); 3] = [
             ("full model", FULL, |point| point.full),
             ("reduced model", REDUCED, |point| point.reduced),
             ("error", ERROR, |point| point.error),

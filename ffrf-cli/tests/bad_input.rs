@@ -194,7 +194,8 @@ fn a_model_that_contradicts_itself_is_refused_at_every_door() {
     }
     std::fs::remove_file(bench.path("out")).unwrap();
     let good: serde_json::Value = serde_json::from_str(&bench.read("body.ffrf.json")).unwrap();
-    let faults: [(&str, fn(&mut serde_json::Value)); 7] = [
+    type Fault = fn(&mut serde_json::Value);
+    let faults: [(&str, Fault); 7] = [
         ("smallest eigenvalue of K_ff", |body| body["stiffness"][0][0] = (-1.0).into()),
         ("smallest eigenvalue of D_ff", |body| body["damping"][1][1] = (-0.1).into()),
         ("asymmetry of the stiffness K_ff", |body| body["stiffness"][0][1] = 1e3.into()),

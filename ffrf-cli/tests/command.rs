@@ -36,7 +36,7 @@ fn every_command_explains_itself_with_an_example() {
 fn wrong_usage_is_exit_code_2() {
     let bench = Workbench::with_part();
     bench.run("").failed(2, &["Usage"]);
-    bench.run("simulate").failed(2, &["unrecognized subcommand"]);
+    bench.run("dance").failed(2, &["unrecognized subcommand"]);
     bench.run(&format!("{REDUCE} --modes many")).failed(2, &["invalid value 'many'"]);
     bench.run("reduce --mass M.mtx --modes 3 -o body.ffrf.json").failed(2, &["--nodes"]);
     bench.run(&format!("{REDUCE} --modes 3 --marker tip")).failed(2, &["expected NAME=NODE"]);

@@ -1,4 +1,5 @@
 //! `ffrf simulate` as a user runs it: the scenes of `models/scenes`, saved states, refusals.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::path::PathBuf;
 use std::process::{Command, Output};

@@ -1,5 +1,5 @@
 //! A flexible pendulum from a scene file against the reference trajectory, which comes from elsewhere.
-#![allow(clippy::unwrap_used, clippy::expect_used)] // helpers beside the tests
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers beside the tests
 
 use std::path::Path;
 

@@ -173,7 +173,8 @@ fn an_error_names_the_file() {
 
 #[test]
 fn a_body_that_contradicts_itself_is_not_read() {
-    let faults: [(&str, fn(&mut ReducedBody)); 6] = [
+    type Fault = fn(&mut ReducedBody);
+    let faults: [(&str, Fault); 6] = [
         ("mass", |body| body.inertia.mass = 5e-324),
         ("smallest eigenvalue of K_ff", |body| body.stiffness[1][1] = -1.0),
         ("smallest eigenvalue of D_ff", |body| body.damping[0][0] = -0.1),

@@ -253,7 +253,7 @@ mod tests {
             ("A=rbe2", "expected nodes"),
             ("A=set:B,rbe4", "`rbe4`"),
             ("A=box:1,2,3", "two corners"),
-            ("A=plane:0,0,0,nan,0,1", "`nan`"),
+            ("A=plane:0,0,0,nan,0,1", "finite numbers"),
             ("A=set:B,set:C", "found two"),
             ("A=ids:3,x", "`x`"),
         ] {

@@ -165,12 +165,15 @@ fn read_matrices(
     Ok(Import { model, notes })
 }
 
+/// Sources with what each supplied.
+type Sources = Vec<(&'static str, Source)>;
+
 /// The node table and the files it came from.
 fn read_nodes(
     nodes: &NodeSource,
     options: &ImportOptions,
     notes: &mut Vec<Note>,
-) -> Result<(NodeTable, Vec<(&'static str, Source)>), ImportError> {
+) -> Result<(NodeTable, Sources), ImportError> {
     let limit = options.inflated_limit;
     Ok(match nodes {
         NodeSource::Text(path) => {

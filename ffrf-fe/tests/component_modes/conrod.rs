@@ -72,8 +72,10 @@ fn bores_held_rigidly_are_exact_with_craig_bampton_and_far_off_with_free_free_mo
 
     // As many free-free modes, held by the same markers: the mean of each bore stands still, not the bore.
     let marker = |name: &str, nodes: &[usize]| MarkerRequest { name: name.to_owned(), nodes: nodes.to_vec() };
-    let mut options = ReductionOptions::default();
-    options.markers = vec![marker("BIG_END", &big), marker("SMALL_END", &small)];
+    let options = ReductionOptions {
+        markers: vec![marker("BIG_END", &big), marker("SMALL_END", &small)],
+        ..ReductionOptions::default()
+    };
     let errors: Vec<f64> = [14, 28]
         .map(|count| {
             let free = compute_modes(&model, &ModeRequest::free_free(count), &mut |_| {}).unwrap();

@@ -3,6 +3,7 @@
 //! The samples are the corpus of the fuzz targets. The seed is fixed, so that a failure comes back; another one can be
 //! given as `FFRF_MUTATION_SEED`.
 #![allow(clippy::unwrap_used)]
+#![allow(clippy::panic)] // helpers of tests are tests
 
 mod mutate;
 

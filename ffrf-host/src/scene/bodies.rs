@@ -88,7 +88,7 @@ fn rigid(name: &str, key: &str, table: &BodyTable, mass: f64) -> Result<NamedBod
     };
     let inertia = Matrix3::from_fn(|i, j| rows[i][j]);
     let asymmetry = (inertia - inertia.transpose()).amax();
-    if !(asymmetry <= 1e-9 * inertia.amax()) {
+    if asymmetry.is_nan() || asymmetry > 1e-9 * inertia.amax() {
         return Err(SceneError::value(
             format!("{key}.inertia"),
             "a symmetric tensor",

@@ -89,7 +89,7 @@ impl Advance {
                         None => {
                             self.refused += 1;
                             self.next_step = tried.next_step;
-                            if !(self.next_step > SMALLEST_SHARE * (end - start)) {
+                            if self.next_step.is_nan() || self.next_step <= SMALLEST_SHARE * (end - start) {
                                 return Err((time, StepError::StepSize { found: self.next_step }));
                             }
                         }

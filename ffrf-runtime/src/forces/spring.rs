@@ -20,7 +20,7 @@ impl<T: RealField + Copy> Spring<T> {
     pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
         let between = second.position - first.position;
         let length = between.norm();
-        if !(length > T::default_epsilon()) {
+        if length <= T::default_epsilon() {
             return [Wrench::zero(); 2];
         }
         let direction = between / length;
