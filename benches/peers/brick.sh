@@ -1,7 +1,7 @@
 #!/bin/sh
 # Modes of a brick of 92,000 degrees of freedom: this project against SciPy's eigsh (shift-invert, SuperLU).
 # Both read the same matrices and run one after the other, on the same processors.
-# Usage: [MODES="20 50 100 200"] [SUPPORTS="free clamped"] [PYTHON=with_scipy] brick.sh
+# Usage: [MODES="20 50 100 200"] [SUPPORTS="free clamped"] [PYTHON=with_scipy] [OURS=built_example] brick.sh
 # Prints one row of a table for each number of modes; without PYTHON, SciPy is installed into a temporary folder.
 set -eu
 cd "$(dirname "$0")/../.."
@@ -13,8 +13,11 @@ if [ -z "$python" ]; then
     "$work/venv/bin/pip" install --quiet numpy scipy
     python="$work/venv/bin/python"
 fi
-cargo build --release --quiet -p ffrf-fe --example brick_modes
-ours="${CARGO_TARGET_DIR:-target}/release/examples/brick_modes"
+ours=${OURS:-}
+if [ -z "$ours" ]; then
+    cargo build --release --quiet -p ffrf-fe --example brick_modes
+    ours="${CARGO_TARGET_DIR:-target}/release/examples/brick_modes"
+fi
 "$ours" --write "$work/brick" --no-solve
 number() { awk -v key="$1" '$1 == key { print $2; exit }' "$2"; }
 echo
