@@ -4,12 +4,18 @@ use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Symbolic links that are followed one after another before they count as a circle.
 const LINKS: usize = 40;
 
-/// Names that are tried for the temporary file: one for each write of this process that goes on at the same time.
+/// Names that are tried for the temporary file. One is enough but where a killed process of the same number left some
+/// behind that cannot be removed.
 const NAMES: usize = 1000;
+
+/// The number of the next temporary file. No number comes twice in a process: who looks for files left behind may still
+/// hold the open file of a name that has been renamed since, and would remove its successor.
+static NEXT: AtomicUsize = AtomicUsize::new(0);
 
 /// Writes a file.
 ///
@@ -85,7 +91,8 @@ struct Temporary {
 impl Temporary {
     /// Makes one in the folder of `path`, so that renaming does not cross file systems.
     fn beside(path: &Path, name: &OsStr) -> io::Result<Self> {
-        for number in 0..NAMES {
+        for _ in 0..NAMES {
+            let number = NEXT.fetch_add(1, Ordering::Relaxed);
             let temporary = path.with_file_name(temporary_name(name, std::process::id(), number));
             let file = match OpenOptions::new().write(true).create_new(true).open(&temporary) {
                 Ok(file) => file,
