@@ -1,5 +1,7 @@
 //! Velocities, accelerations and rates in the chart of the integrators are exact derivatives: by dual numbers.
 
 mod chart;
+mod joints;
+mod kinds;
 mod markers;
 mod motions;
