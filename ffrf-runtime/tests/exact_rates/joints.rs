@@ -1,13 +1,13 @@
 //! The rows of every kind of joint are exact derivatives of their residuals, on bodies with and without modes and on the
 //! ground, far from where the joints are met. By dual numbers: two markers on prescribed motions give g(t), ġ and g̈.
 
-use super::kinds::every_kind;
 use super::motions::{Prescribed, wave};
 use ffrf_runtime::joints::Joint;
 use ffrf_runtime::nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use ffrf_runtime::relations::Row;
 use ffrf_runtime::{MarkerMotion, PlacedMarker};
 use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::every_joint::every_kind;
 use ffrf_test_kit::tolerances::DERIVED;
 use num_dual::{Dual2, Dual2_64};
 

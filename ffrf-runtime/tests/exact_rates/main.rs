@@ -2,6 +2,5 @@
 
 mod chart;
 mod joints;
-mod kinds;
 mod markers;
 mod motions;
