@@ -41,8 +41,16 @@ impl Tally {
         let left = left_by_regularisation(condition);
         let share = (error - left).max(0.0) / (f64::EPSILON * condition);
         let residual = saddle.residual(&solution);
-        assert!(error <= SOLVED * f64::EPSILON * condition + left, "{}: error {error:e} at condition {condition:e}", case.name);
-        assert!(residual <= RESIDUAL + left, "{}: residual {residual:e} at condition {condition:e}", case.name);
+        assert!(
+            error <= SOLVED * f64::EPSILON * condition + left,
+            "{}: error {error:e} at condition {condition:e}",
+            case.name
+        );
+        assert!(
+            residual <= RESIDUAL + left,
+            "{}: residual {residual:e} at condition {condition:e}",
+            case.name
+        );
         self.checked += 1;
         self.worst = self.worst.max(share);
         self.worst_condition = self.worst_condition.max(condition);

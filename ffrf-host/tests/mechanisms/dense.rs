@@ -25,10 +25,6 @@ pub struct Evaluation {
     pub jacobian: DMatrix<f64>,
     /// What the rows' second rates have besides accelerations, those subtracted included: γ.
     pub bias: DVector<f64>,
-    /// The partial derivative of the rows to time.
-    pub rate: DVector<f64>,
-    /// μ of all rows: the metric of the reactions' norm.
-    pub shift: DVector<f64>,
     /// First row of each joint.
     pub starts: Vec<usize>,
 }
@@ -51,8 +47,7 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
         }
         let plan = mechanism.plan();
         let (mut gradients, mut starts) = (Vec::new(), Vec::new());
-        let (mut bias, mut rate) = (Vec::new(), Vec::new());
-        let (mut multipliers, mut shift) = (Vec::new(), Vec::new());
+        let (mut bias, mut multipliers) = (Vec::new(), Vec::new());
         for (joint, connection) in mechanism.connections().iter().enumerate() {
             starts.push(gradients.len());
             let [first, second] = &storage.ends[joint];
@@ -67,10 +62,7 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
                 }
                 gradients.push(gradient);
                 bias.push(row.whole_bias(first, second));
-                rate.push(row.rate);
-                let place = plan.joints[joint].unknowns + k;
-                multipliers.push(-storage.solution[place]);
-                shift.push(storage.shift[place]);
+                multipliers.push(-storage.solution[plan.joints[joint].unknowns + k]);
             }
         }
         let jacobian = DMatrix::from_fn(gradients.len(), total, |i, j| gradients[i][j]);
@@ -78,15 +70,7 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
         if let Some((_, subtracted)) = stage {
             bias += &jacobian * subtracted_motion(states, subtracted);
         }
-        Evaluation {
-            accelerations,
-            multipliers: DVector::from_vec(multipliers),
-            jacobian,
-            bias,
-            rate: DVector::from_vec(rate),
-            shift: DVector::from_vec(shift),
-            starts,
-        }
+        Evaluation { accelerations, multipliers: DVector::from_vec(multipliers), jacobian, bias, starts }
     });
     found.unwrap_or_else(|error| panic!("{}: {error}", case.name))
 }
@@ -174,8 +158,11 @@ impl Saddle {
         // of unit mass, and of unit compliance as each row meets it
         let compliance = mass.clone().cholesky().unwrap().solve(&found.jacobian.transpose());
         let scale = DVector::from_fn(n + rows, |i, _| {
-            let diagonal =
-                if i < n { mass[(i, i)] } else { found.jacobian.row(i - n).transpose().dot(&compliance.column(i - n)) };
+            let diagonal = if i < n {
+                mass[(i, i)]
+            } else {
+                found.jacobian.row(i - n).transpose().dot(&compliance.column(i - n))
+            };
             1.0 / diagonal.sqrt()
         });
         let mut matrix = DMatrix::zeros(n + rows, n + rows);

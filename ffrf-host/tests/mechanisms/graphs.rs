@@ -32,15 +32,8 @@ pub enum Shape {
     Loops,
 }
 
-pub const SHAPES: [Shape; 7] = [
-    Shape::Chain,
-    Shape::FreeChain,
-    Shape::Tree,
-    Shape::Star,
-    Shape::Ring,
-    Shape::Bridge,
-    Shape::Loops,
-];
+pub const SHAPES: [Shape; 7] =
+    [Shape::Chain, Shape::FreeChain, Shape::Tree, Shape::Star, Shape::Ring, Shape::Bridge, Shape::Loops];
 
 /// Two bodies, or a body and the ground; and whether this joint closes a loop.
 type Edge = ([Option<usize>; 2], bool);

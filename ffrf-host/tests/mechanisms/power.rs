@@ -29,8 +29,11 @@ fn near(kind: JointKind, pair: [Option<usize>; 2], drive: Option<(JointKind, Dri
         })
     };
     let ends = [index(pair[0]), index(pair[1])];
-    let connection =
-        Connection { kind, first: attachment(ends[0], &mut random), second: attachment(ends[1], &mut random) };
+    let connection = Connection {
+        kind,
+        first: attachment(ends[0], &mut random),
+        second: attachment(ends[1], &mut random),
+    };
     let mut joints = vec![(connection, None)];
     if let Some((kind, function)) = drive {
         joints.push((Connection { kind, ..connection }, Some(function)));
