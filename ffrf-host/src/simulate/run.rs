@@ -4,7 +4,8 @@ use ffrf_runtime::StepError;
 use thiserror::Error;
 
 use super::sample::sample;
-use super::{Advance, Sample, SavedState, StateError};
+use super::spin::SpinWatch;
+use super::{Advance, Sample, SavedState, SpinWarning, StateError};
 use crate::scene::{Scene, SceneError};
 
 /// Where a simulation is.
@@ -27,6 +28,8 @@ pub struct Summary {
     pub initial_residuals: [f64; 2],
     /// The state at the end.
     pub end: SavedState,
+    /// Bodies that turned faster than their modes can stand.
+    pub spin: Vec<SpinWarning>,
 }
 
 /// Why a simulation ended early.
@@ -75,6 +78,8 @@ pub fn simulate(
         }
     };
     let refused = |time: f64, error: StepError| SimulationError::Step { time, reason: reason(scene, error) };
+    let mut watch = SpinWatch::new(scene);
+    watch.look(scene, time, &state);
     write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
     // samples stand on a grid that begins at zero, so that a run continued is the run itself
     let mut index = (time / settings.output_step * (1.0 + 1e-12)).floor() + 1.0;
@@ -92,11 +97,12 @@ pub fn simulate(
             .map_err(|(time, error)| refused(time, error))?;
         time = end;
         index += 1.0;
+        watch.look(scene, time, &state);
         write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
         progress(Progress { time, share: time / settings.duration, steps: advance.steps });
     }
     let end = SavedState::new(scene, time, advance.next_step, &angles, &state);
-    Ok(Summary { advance, initial_residuals, end })
+    Ok(Summary { advance, initial_residuals, end, spin: watch.warnings })
 }
 
 fn reason(scene: &Scene, error: StepError) -> String {
