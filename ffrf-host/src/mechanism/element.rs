@@ -1,9 +1,11 @@
 //! Force elements between two attachments.
 
-use ffrf_runtime::forces::{Bushing, Spring, TorsionSpring};
+use ffrf_runtime::forces::{Actuator, Bushing, Friction, Spring, TorsionSpring};
 use ffrf_runtime::mechanism::{Attachment, Ports};
 use ffrf_runtime::{MarkerMotion, Wrench};
 use nalgebra::Vector3;
+
+use super::Drive;
 
 /// What acts between two attachments.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +16,15 @@ pub enum ElementKind {
     TorsionSpring(TorsionSpring),
     /// See [`Bushing`].
     Bushing(Bushing),
+    /// See [`Friction`].
+    Friction(Friction),
+    /// See [`Actuator`].
+    Actuator {
+        /// What it exerts at an input.
+        actuator: Actuator,
+        /// Its input as a function of time; its derivatives are of no effect.
+        input: Drive,
+    },
     /// A constant force (N) at the second attachment.
     Force {
         /// Shape: 3. Units: N.
@@ -42,10 +53,10 @@ pub struct Element {
 }
 
 impl Element {
-    /// Adds its wrenches to the forces on the bodies.
-    pub fn apply(&self, ports: &mut dyn Ports<f64>) {
+    /// Adds its wrenches at `time` (s) to the forces on the bodies.
+    pub fn apply(&self, time: f64, ports: &mut dyn Ports<f64>) {
         let (first, second) = (self.first.motion(ports), self.second.motion(ports));
-        let wrenches = self.wrenches(&first, &second);
+        let wrenches = self.wrenches(time, &first, &second);
         for (attachment, wrench) in [&self.first, &self.second].into_iter().zip(&wrenches) {
             if let Some(port) = attachment.body.and_then(|body| ports.port_mut(body)) {
                 port.push(attachment.marker, wrench);
@@ -60,11 +71,14 @@ impl Element {
             ElementKind::Spring(spring) => spring.energy(&first, &second),
             ElementKind::TorsionSpring(spring) => spring.energy(&first, &second),
             ElementKind::Bushing(bushing) => bushing.energy(&first, &second),
-            ElementKind::Force { .. } | ElementKind::Moment { .. } => 0.0,
+            ElementKind::Friction(_)
+            | ElementKind::Actuator { .. }
+            | ElementKind::Force { .. }
+            | ElementKind::Moment { .. } => 0.0,
         }
     }
 
-    fn wrenches(&self, first: &MarkerMotion, second: &MarkerMotion) -> [Wrench; 2] {
+    fn wrenches(&self, time: f64, first: &MarkerMotion, second: &MarkerMotion) -> [Wrench; 2] {
         let turned = |value: &Vector3<f64>, follows: bool| {
             if follows { second.orientation.transform_vector(value) } else { *value }
         };
@@ -72,6 +86,11 @@ impl Element {
             ElementKind::Spring(spring) => spring.wrenches(first, second),
             ElementKind::TorsionSpring(spring) => spring.wrenches(first, second),
             ElementKind::Bushing(bushing) => bushing.wrenches(first, second),
+            ElementKind::Friction(friction) => friction.wrenches(first, second),
+            ElementKind::Actuator { actuator, input } => {
+                let [input, ..] = input.at(time);
+                actuator.wrenches(first, second, input)
+            }
             ElementKind::Force { value, follows } => {
                 [Wrench::zero(), Wrench { force: turned(value, *follows), moment: Vector3::zeros() }]
             }

@@ -198,7 +198,7 @@ impl Assembly<f64> for HostMechanism {
             port.weigh(&self.gravity);
         }
         for element in &self.elements {
-            element.apply(ports);
+            element.apply(time, ports);
         }
         if let Some(forces) = &self.forces {
             forces(time, ports);

@@ -69,7 +69,8 @@ impl Scene {
             .iter()
             .map(|(name, table)| {
                 check_name("forces", name)?;
-                forces::element(name, table, &mut named, &states)
+                let joints = forces::Joints { names: &joint_connections, connections: &connections };
+                forces::element(name, table, &mut named, &states, &joints, folder)
             })
             .collect();
         let elements = elements?;

@@ -1,13 +1,19 @@
 //! What pushes bodies: loads, one file each.
 
+mod actuator;
 mod bushing;
+mod effort;
+mod friction;
 mod gravity;
 mod load;
 mod marker_load;
 mod spring;
 mod torsion_spring;
 
+pub use actuator::Actuator;
 pub use bushing::Bushing;
+pub use effort::Effort;
+pub use friction::Friction;
 pub use gravity::Gravity;
 pub use load::Load;
 pub use marker_load::{Frame, MarkerLoad};
