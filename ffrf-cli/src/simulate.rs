@@ -80,6 +80,9 @@ fn describe(summary: &Summary, elapsed: Duration, duration: f64) -> String {
         "largest drift of a step before it was corrected: {:.3e} (m or rad), {:.3e} per second",
         advance.drift.position, advance.drift.velocity
     );
+    if advance.iterations > 0 {
+        let _ = writeln!(text, "most iterations of a step: {}", advance.iterations);
+    }
     text
 }
 

@@ -4,7 +4,9 @@ use nalgebra::RealField;
 
 use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, State};
 use crate::forces::Load;
-use crate::integrators::{LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace};
+use crate::integrators::{
+    ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace,
+};
 
 /// A body without joints and what pushes it.
 #[derive(Debug, Clone, Copy)]
@@ -106,4 +108,12 @@ where
             .implicit_rate_under(self.body, &state, &force, gamma_h, subtracted)
             .ok_or(StepError::MassNotPositive)
     }
+}
+
+impl<B, L, T> ImplicitSystem<T> for FreeSystem<'_, B, L>
+where
+    B: FlexibleBody<T>,
+    L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+    T: RealField + Copy,
+{
 }
