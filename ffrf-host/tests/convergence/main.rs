@@ -145,3 +145,18 @@ fn generalised_alpha_has_order_two_with_projection() {
         alpha(mechanism, state, steps, 0.8)
     });
 }
+
+#[test]
+fn baumgartes_method_keeps_the_order_with_fixed_gains_alone() {
+    let baumgarte = |gain: f64| Treatment::Baumgarte { alpha: gain, beta: gain };
+    assert_orders("RK4, gains 20/s", baumgarte(20.0), [50, 2], [4.0; 3], |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        run(mechanism, state, steps, &mut |state, time, h| step_rk4(&system, state, time, h))
+    });
+    // stages are off the constraints by h², and gains of the order 1/h make an acceleration of order one of that
+    assert_orders("RK4, gains 0.5/h", baumgarte(0.0), [200, 2], [2.0, 1.0, 0.0], |_, state, steps| {
+        let (mechanism, _) = double_pendulum(baumgarte(0.5 * steps as f64 / DURATION), true);
+        let system = Constrained(&mechanism);
+        run(&mechanism, state, steps, &mut |state, time, h| step_rk4(&system, state, time, h))
+    });
+}
