@@ -50,9 +50,10 @@ pub use body::{
 };
 pub use forces::{Frame, Gravity, Load, MarkerLoad};
 pub use integrators::{
-    AlphaMemory, ControlledStep, Correction, Drift, GeneralisedAlpha, ImplicitSystem, LocalError, StepError,
-    StepReport, StiffSystem, System, Tolerances, VectorSpace, step_dormand_prince, step_linearly_implicit,
-    step_linearly_implicit_euler, step_rk4, step_symplectic_euler, try_dormand_prince,
+    AlphaMemory, ConservingSystem, ControlledStep, Correction, Drift, EnergyMomentum, GeneralisedAlpha,
+    ImplicitSystem, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
+    step_dormand_prince, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
+    step_symplectic_euler, try_dormand_prince,
 };
 pub use invariants::{InvariantError, InvariantExpectation, InvariantIndex};
 pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};

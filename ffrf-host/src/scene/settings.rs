@@ -21,17 +21,20 @@ pub enum Integrator {
     LinearlyImplicitEuler,
     /// Generalised-α, order 2.
     GeneralizedAlpha,
+    /// Energy-momentum, order 2.
+    EnergyMomentum,
 }
 
 impl Integrator {
     /// All with their names.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("symplectic_euler", Self::SymplecticEuler),
         ("rk4", Self::Rk4),
         ("dopri5", Self::Dopri5),
         ("linearly_implicit", Self::LinearlyImplicit),
         ("linearly_implicit_euler", Self::LinearlyImplicitEuler),
         ("generalized_alpha", Self::GeneralizedAlpha),
+        ("energy_momentum", Self::EnergyMomentum),
     ];
 
     /// Its name in scene files.
@@ -45,6 +48,7 @@ impl Integrator {
             Self::SymplecticEuler | Self::Rk4 | Self::Dopri5 => &["projection", "baumgarte"],
             Self::LinearlyImplicit | Self::LinearlyImplicitEuler => &["projection", "baumgarte"],
             Self::GeneralizedAlpha => &["ggl", "index3", "projection", "baumgarte"],
+            Self::EnergyMomentum => &["index3"],
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use ffrf_runtime::mechanism::Constrained;
 use ffrf_runtime::{
-    AlphaMemory, Drift, GeneralisedAlpha, State, StepError, StepReport, Tolerances, step_dormand_prince,
-    step_linearly_implicit, step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
-    try_dormand_prince,
+    AlphaMemory, Drift, EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, Tolerances,
+    step_dormand_prince, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
+    step_symplectic_euler, try_dormand_prince,
 };
 
 use crate::mechanism::HostIncrement;
@@ -125,6 +125,7 @@ impl Advance {
                 };
                 method.step(system, memory, state, time, step)
             }
+            Integrator::EnergyMomentum => EnergyMomentum::new().step(system, state, time, step),
         }
     }
 

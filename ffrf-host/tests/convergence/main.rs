@@ -1,6 +1,7 @@
 //! The order of convergence of every integrator on a flexible, constrained mechanism: places, velocities, reactions.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
+mod conservation;
 mod problem;
 
 use std::sync::OnceLock;
@@ -8,8 +9,8 @@ use std::sync::OnceLock;
 use ffrf_host::{HostMechanism, HostModal};
 use ffrf_runtime::mechanism::{Constrained, Treatment};
 use ffrf_runtime::{
-    GeneralisedAlpha, State, StepError, StepReport, Tolerances, step_dormand_prince, step_linearly_implicit,
-    step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
+    EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, Tolerances, step_dormand_prince,
+    step_linearly_implicit, step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
 };
 use problem::{Blocks, blocks, differences, double_pendulum};
 
@@ -158,5 +159,14 @@ fn baumgartes_method_keeps_the_order_with_fixed_gains_alone() {
         let (mechanism, _) = double_pendulum(baumgarte(0.5 * steps as f64 / DURATION), true);
         let system = Constrained(&mechanism);
         run(&mechanism, state, steps, &mut |state, time, h| step_rk4(&system, state, time, h))
+    });
+}
+
+#[test]
+fn the_energy_momentum_method_has_order_two() {
+    assert_orders("energy-momentum", Treatment::Index3, [200, 2], [2.0; 3], |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        let method = EnergyMomentum::new();
+        run(mechanism, state, steps, &mut |state, time, h| method.step(&system, state, time, h))
     });
 }

@@ -2,10 +2,10 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, State};
+use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, Span, State};
 use crate::forces::Load;
 use crate::integrators::{
-    ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace,
+    ConservingSystem, ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace,
 };
 
 /// A body without joints and what pushes it.
@@ -116,4 +116,36 @@ where
     L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
     T: RealField + Copy,
 {
+}
+
+impl<B, L, T> ConservingSystem<T> for FreeSystem<'_, B, L>
+where
+    B: FlexibleBody<T>,
+    L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+    T: RealField + Copy,
+{
+    fn conserving_places(
+        &self,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Self::Increment {
+        Span::new(begin, velocities, step).increment.places_only()
+    }
+
+    fn conserving_correction(
+        &self,
+        time: T,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Result<Self::Increment, StepError> {
+        let span = Span::new(begin, velocities, step);
+        let mut force = GeneralisedForce::zeros(&begin.modal_coordinates);
+        self.load.add_to(self.body, time + step * nalgebra::convert(0.5), &span.middle, &mut force);
+        let (stage, missing) =
+            span.stage(self.body, &span.dual_to_mean(force)).ok_or(StepError::MassNotPositive)?;
+        let factors = stage.eliminated.factor().ok_or(StepError::MassNotPositive)?;
+        Ok(span.with_correction(&factors.solve(&missing)))
+    }
 }

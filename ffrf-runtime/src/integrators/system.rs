@@ -123,6 +123,29 @@ pub trait ImplicitSystem<T: RealField + Copy>: StiffSystem<T> {
     }
 }
 
+/// A system whose equations are known between two states, such that momentum and energy are kept.
+pub trait ConservingSystem<T: RealField + Copy>: System<T> {
+    /// The change of the places over a step from `begin` in which velocities change by `velocities`; rates zero.
+    fn conserving_places(
+        &self,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Self::Increment;
+
+    /// One quasi-Newton correction of the change of the velocities over a step, at the places of the velocities; the change
+    /// of the places that belongs to `velocities` as they are beside it.
+    ///
+    /// Errors: see [`StepError`].
+    fn conserving_correction(
+        &self,
+        time: T,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Result<Self::Increment, StepError>;
+}
+
 /// What a linearly implicit stage has to subtract, so that its right-hand side is the residual of `accelerations`: with
 /// the rates of the places beside them its elastic forces do not look ahead.
 pub(crate) fn elastic_at_rest<S: System<T> + ?Sized, T: RealField + Copy>(

@@ -2,10 +2,10 @@
 
 use nalgebra::RealField;
 
-use super::{Assembly, Constraints, ImplicitTerms, Level, Storage, Target, Treatment};
+use super::{Assembly, Constraints, ImplicitTerms, Level, Phase, Ports, Storage, Target, Treatment};
 use crate::integrators::{
-    Correction, Drift, ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, displaced,
-    elastic_at_rest,
+    ConservingSystem, Correction, Drift, ImplicitSystem, LocalError, StepError, StiffSystem, System,
+    Tolerances, displaced, elastic_at_rest,
 };
 
 /// A mechanism as a system that integrators advance.
@@ -61,6 +61,23 @@ impl<A> Constrained<'_, A> {
             constraints.accelerate(target);
             Ok(read(&mut ports, storage, pivot))
         })
+    }
+
+    /// The bodies in a step of the energy-momentum method.
+    fn in_step<'a, T>(&'a self, begin: &A::State, velocities: &'a A::Increment, step: T) -> A::Ports<'a>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let gamma_h = step * nalgebra::convert(0.5);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(velocities) });
+        let mut ports = self.0.ports(begin.clone(), implicit);
+        for index in 0..self.0.plan().bodies.len() {
+            if let Some(port) = ports.port_mut(index) {
+                port.conserve(Phase::Mean);
+            }
+        }
+        ports
     }
 
     /// Projects positions, then velocities, on the constraints; the drift is what was found before.
@@ -247,6 +264,59 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
                 displaced(self, origin, &moved)
             });
             Correction { accelerations, places }
+        })
+    }
+}
+
+impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_, A> {
+    fn conserving_places(
+        &self,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Self::Increment {
+        let ports = self.in_step(begin, velocities, step);
+        self.0.collect(&ports, velocities)
+    }
+
+    fn conserving_correction(
+        &self,
+        time: T,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Result<Self::Increment, StepError> {
+        let assembly = self.0;
+        let half = step * nalgebra::convert(0.5);
+        let mut ports = self.in_step(begin, velocities, step);
+        assembly.with_storage(|storage| {
+            for phase in [Phase::End, Phase::Mean] {
+                for index in 0..assembly.plan().bodies.len() {
+                    if let Some(port) = ports.port_mut(index) {
+                        port.conserve(phase);
+                    }
+                }
+                if phase == Phase::Mean {
+                    assembly.load(time + half, &mut ports);
+                }
+                let mut constraints = Constraints {
+                    plan: assembly.plan(),
+                    connections: assembly.connections(),
+                    ports: &mut ports,
+                    storage: &mut *storage,
+                    regularisation: assembly.regularisation(),
+                };
+                let moment = if phase == Phase::End { step } else { half };
+                constraints.evaluate(&|joint| assembly.drive(joint, time + moment));
+                match phase {
+                    Phase::End => constraints.aim(half),
+                    Phase::Mean => {
+                        constraints.factor()?;
+                        constraints.accelerate(Target::Aimed);
+                    }
+                }
+            }
+            Ok(assembly.collect(&ports, velocities))
         })
     }
 }

@@ -60,6 +60,8 @@ pub enum Target<T = f64> {
         /// What a change of the accelerations is multiplied by to change velocities.
         share: T,
     },
+    /// As [`Constraints::aim`] has stored it.
+    Aimed,
     /// Correction of accelerations that act so on places: takes g away. Units: s².
     Position {
         /// What a change of the accelerations is multiplied by to change places.
@@ -186,6 +188,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                     }
                     Target::Velocity { share } => -row.velocity(first, second) / share,
                     Target::Position { share } => -row.residual / share,
+                    Target::Aimed => get(self.storage.right, place.unknowns + k),
                 };
                 for (side, end) in place.ends.iter().enumerate() {
                     let Some(end) = end else { continue };
@@ -205,6 +208,16 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             }
         }
         self.solve();
+    }
+
+    /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
+    /// [`accelerate`](Self::accelerate). `share`: what a change of the unknowns is multiplied by to change places.
+    pub fn aim(&mut self, share: T) {
+        for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter()) {
+            for (k, row) in rows.as_slice().iter().enumerate() {
+                set(self.storage.right, place.unknowns + k, -row.residual / share);
+            }
+        }
     }
 
     /// Displacements or changes of velocity of least kinetic energy that take the residuals of a level away, to first order.

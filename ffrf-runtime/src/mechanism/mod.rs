@@ -16,4 +16,4 @@ pub use constrained::Constrained;
 pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
 pub use elimination::{Coupling, Elimination, LARGEST_NODE, Step};
 pub use plan::{Block, BodyPlace, EndPlace, JointPlace, Plan, SharedPlace};
-pub use port::{Port, Ports};
+pub use port::{Phase, Port, Ports};
