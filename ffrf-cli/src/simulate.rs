@@ -83,6 +83,9 @@ fn describe(summary: &Summary, elapsed: Duration, duration: f64) -> String {
     for warning in &summary.spin {
         let _ = writeln!(text, "warning: {warning}");
     }
+    if advance.iterations > 0 {
+        let _ = writeln!(text, "most iterations of a step: {}", advance.iterations);
+    }
     text
 }
 

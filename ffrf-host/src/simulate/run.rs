@@ -71,6 +71,7 @@ pub fn simulate(
         None => (0.0, scene.assembled()?),
         Some(saved) => {
             advance.next_step = saved.next_step;
+            advance.memory = saved.memory(scene)?;
             if saved.angles.len() == angles.len() {
                 angles.clone_from(&saved.angles);
             }
@@ -101,7 +102,7 @@ pub fn simulate(
         write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
         progress(Progress { time, share: time / settings.duration, steps: advance.steps });
     }
-    let end = SavedState::new(scene, time, advance.next_step, &angles, &state);
+    let end = SavedState::new(scene, time, &advance, &angles, &state);
     Ok(Summary { advance, initial_residuals, end, spin: watch.warnings })
 }
 

@@ -3,15 +3,17 @@
 mod assembly;
 mod body_port;
 mod connection;
+mod constrained;
 mod constraints;
 mod elimination;
 mod plan;
 mod port;
 
-pub use assembly::{Assembly, Constrained, Treatment};
+pub use assembly::{Assembly, Treatment};
 pub use body_port::{AttachedRow, BodyPort, ImplicitTerms};
 pub use connection::{Attachment, Connection};
-pub use constraints::{Constraints, Level, Regularisation, Storage};
+pub use constrained::Constrained;
+pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
 pub use elimination::{Coupling, Elimination, LARGEST_NODE, Step};
 pub use plan::{Block, BodyPlace, EndPlace, JointPlace, Plan, SharedPlace};
-pub use port::{Port, Ports};
+pub use port::{Phase, Port, Ports};
