@@ -54,6 +54,11 @@ pub trait Assembly<T: RealField + Copy> {
     fn plan(&self) -> Plan<'_>;
     /// The joints.
     fn connections(&self) -> &[Connection<T>];
+    /// The name of a joint, for reports; empty where names come at run time.
+    fn joint_name(&self, joint: usize) -> &'static str {
+        let _ = joint;
+        ""
+    }
     /// Value, rate and acceleration of the drive of a joint; zeros for joints without one.
     fn drive(&self, joint: usize, time: T) -> [T; 3];
     /// Adds the forces at `time`.
