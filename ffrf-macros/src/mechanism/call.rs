@@ -53,8 +53,7 @@ impl Call {
         for (position, option) in self.options.iter().enumerate() {
             if !known.iter().any(|key| option.key == key) {
                 let expected = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
-                let message =
-                    format!("`{}` has no option `{}`, expected: {expected}", self.kind, option.key);
+                let message = format!("`{}` has no option `{}`, expected: {expected}", self.kind, option.key);
                 errors.push(syn::Error::new(option.key.span(), message));
             } else if self.options[..position].iter().any(|earlier| earlier.key == option.key) {
                 errors.push(syn::Error::new(option.key.span(), format!("`{}` is given twice", option.key)));
@@ -76,9 +75,7 @@ impl Call {
 
 /// The entries of `{ ... }`.
 pub(super) fn entries(tokens: TokenStream) -> syn::Result<Vec<Entry>> {
-    braces(tokens, |input| {
-        Ok(Punctuated::<Entry, Token![,]>::parse_terminated(input)?.into_iter().collect())
-    })
+    braces(tokens, |input| Ok(Punctuated::<Entry, Token![,]>::parse_terminated(input)?.into_iter().collect()))
 }
 
 /// What stands in `{ ... }`.

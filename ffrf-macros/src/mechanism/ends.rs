@@ -107,16 +107,18 @@ impl Parse for Written {
         if input.is_empty() {
             Ok(Self { name, index, marker, position })
         } else {
-            Err(input.error("expected `ground`, `body`, `body.MARKER`, `bodies[i].MARKER` or `.at([x, y, z])`"))
+            Err(input
+                .error("expected `ground`, `body`, `body.MARKER`, `bodies[i].MARKER` or `.at([x, y, z])`"))
         }
     }
 }
 
 /// Looks an end up; its marker joins those used on the body.
 pub(super) fn end(argument: &Argument, bodies: &mut [Body], range: Option<&Range>) -> syn::Result<End> {
-    let Written { name, index, marker, position } = Written::parse
-        .parse2(argument.tokens.clone())
-        .map_err(|error| if argument.tokens.is_empty() { syn::Error::new(argument.span, error) } else { error })?;
+    let Written { name, index, marker, position } =
+        Written::parse.parse2(argument.tokens.clone()).map_err(|error| {
+            if argument.tokens.is_empty() { syn::Error::new(argument.span, error) } else { error }
+        })?;
     if name == GROUND {
         return match (index, marker) {
             (None, None) => Ok(End::Ground(position)),

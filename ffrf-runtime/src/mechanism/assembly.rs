@@ -24,6 +24,14 @@ pub enum Treatment<T = f64> {
     },
 }
 
+impl<T: RealField + Copy> Treatment<T> {
+    /// The default: projection with at most eight corrections; 1e-6 (1e-4 in single precision) may be left.
+    pub fn projection() -> Self {
+        let tolerance = if T::default_epsilon() < nalgebra::convert(1e-10) { 1e-6 } else { 1e-4 };
+        Self::Projection { iterations: 8, tolerance: nalgebra::convert(tolerance) }
+    }
+}
+
 /// A mechanism composed at compile time or read from a file.
 pub trait Assembly<T: RealField + Copy> {
     /// The states of all bodies.

@@ -8,6 +8,8 @@ mod constraints;
 mod drive;
 mod element;
 mod elimination;
+#[doc(hidden)]
+pub mod generated;
 mod moving;
 mod plan;
 mod port;
