@@ -88,7 +88,7 @@ impl Scene {
 
     /// The initial state with the joints met, and how far the file's state was from them (position, velocity).
     ///
-    /// Positions, then velocities, move as little as possible, measured by the mass matrix.
+    /// Positions, then velocities, move as little as possible; parts are moved as a whole where that meets the joints.
     /// Errors: [`SceneError::NotAssembled`].
     pub fn assembled(&self) -> Result<(Vec<State<HostModal>>, [f64; 2]), SceneError> {
         let system = Constrained(&self.mechanism);

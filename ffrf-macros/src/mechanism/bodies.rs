@@ -118,11 +118,12 @@ impl InlineBody {
             Some(center) => scalar.vector(&quote! { #center }),
             None => quote! { ::ffrf::nalgebra::Vector3::<#t>::zeros() },
         };
-        let principal = matches!(inertia, Expr::Array(rows)
-            if !rows.elems.iter().any(|row| matches!(row, Expr::Array(_))));
-        let make = if principal { quote!(principal_inertia) } else { quote!(inertia) };
         quote! {
-            ::ffrf::RigidBody::<#t>::new(#mass, #center, ::ffrf::generated_support::mechanism::#make::<#t>(#inertia))
+            ::ffrf::RigidBody::<#t>::new(
+                #mass,
+                #center,
+                ::ffrf::generated_support::mechanism::WrittenInertia::tensor::<#t>(#inertia),
+            )
         }
     }
 }

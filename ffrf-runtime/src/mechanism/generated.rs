@@ -16,14 +16,22 @@ pub fn numbers<const N: usize, T: RealField + Copy>(numbers: [f64; N]) -> [T; N]
     numbers.map(nalgebra::convert)
 }
 
-/// An inertia tensor from its rows.
-pub fn inertia<T: RealField + Copy>(rows: [[f64; 3]; 3]) -> Matrix3<T> {
-    Matrix3::from_columns(&rows.map(vector3)).transpose()
+/// An inertia tensor as users write it: three principal moments, or three rows.
+pub trait WrittenInertia {
+    /// The tensor. Shape: 3 x 3.
+    fn tensor<T: RealField + Copy>(self) -> Matrix3<T>;
 }
 
-/// An inertia tensor from its principal moments along the axes.
-pub fn principal_inertia<T: RealField + Copy>(moments: [f64; 3]) -> Matrix3<T> {
-    Matrix3::from_diagonal(&vector3(moments))
+impl WrittenInertia for [f64; 3] {
+    fn tensor<T: RealField + Copy>(self) -> Matrix3<T> {
+        Matrix3::from_diagonal(&vector3(self))
+    }
+}
+
+impl WrittenInertia for [[f64; 3]; 3] {
+    fn tensor<T: RealField + Copy>(self) -> Matrix3<T> {
+        Matrix3::from_columns(&self.map(vector3)).transpose()
+    }
 }
 
 /// The second triad of a universal joint: z along what is x of the first.
