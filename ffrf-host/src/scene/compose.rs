@@ -6,12 +6,13 @@ use ffrf_runtime::State;
 use ffrf_runtime::mechanism::Constrained;
 use nalgebra::Vector3;
 
+use super::efforts::{Composed, Joints};
 use super::file::SceneFile;
 use super::names::NamedBody;
 use super::sensors::{Sensor, sensor};
 use super::{SceneError, Settings, bodies, forces, joints};
 use crate::HostModal;
-use crate::mechanism::{Drive, Element, HostMechanism};
+use crate::mechanism::{Drive, HostMechanism};
 
 /// A scene that can be simulated.
 pub struct Scene {
@@ -64,16 +65,15 @@ impl Scene {
             }
             joint_connections.push((name.clone(), own));
         }
-        let elements: Result<Vec<Element>, SceneError> = file
-            .forces
-            .iter()
-            .map(|(name, table)| {
-                check_name("forces", name)?;
-                let joints = forces::Joints { names: &joint_connections, connections: &connections };
-                forces::element(name, table, &mut named, &states, &joints, folder)
-            })
-            .collect();
-        let elements = elements?;
+        let (mut elements, mut actuators) = (Vec::new(), Vec::new());
+        for (name, table) in &file.forces {
+            check_name("forces", name)?;
+            let joints = Joints { names: &joint_connections, connections: &connections };
+            match forces::element(name, table, &mut named, &states, &joints, folder)? {
+                Composed::Element(element) => elements.push(element),
+                Composed::Actuator(actuator) => actuators.push(actuator),
+            }
+        }
         let mut sensors = Vec::with_capacity(file.sensors.len());
         for (name, table) in &file.sensors {
             check_name("sensors", name)?;
@@ -83,13 +83,14 @@ impl Scene {
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
+            .with_actuators(actuators)
             .with_treatment(settings.treatment);
         Ok(Self { mechanism, initial: states, body_names, connection_names, sensors, settings })
     }
 
     /// The initial state with the joints met, and how far the file's state was from them (position, velocity).
     ///
-    /// Positions, then velocities, move as little as possible, measured by the mass matrix.
+    /// Positions, then velocities, move as little as possible; parts are moved as a whole where that meets the joints.
     /// Errors: [`SceneError::NotAssembled`].
     pub fn assembled(&self) -> Result<(Vec<State<HostModal>>, [f64; 2]), SceneError> {
         let system = Constrained(&self.mechanism);
@@ -100,21 +101,11 @@ impl Scene {
             },
             other => SceneError::Key { key: "bodies".to_owned(), message: other.to_string() },
         };
-        let mut state = self.initial.clone();
-        let mut first = None;
-        // each pass factors anew, so that a state far from the joints is drawn in by Newton's method
-        for _ in 0..PASSES {
-            let (next, drift) = system.project(0.0, state, None, 2, f64::MAX).map_err(not)?;
-            state = next;
-            first.get_or_insert([drift.position, drift.velocity]);
-        }
-        let (state, _) = system.project(0.0, state, None, 8, ASSEMBLED).map_err(not)?;
-        Ok((state, first.unwrap_or([0.0; 2])))
+        let (state, drift) = system.assemble(0.0, self.initial.clone(), ASSEMBLED).map_err(not)?;
+        Ok((state, [drift.position, drift.velocity]))
     }
 }
 
-/// Factorisations while assembling.
-const PASSES: usize = 20;
 /// Residual of an assembled mechanism. Units: m or rad.
 const ASSEMBLED: f64 = 1e-8;
 

@@ -3,29 +3,22 @@
 use std::path::Path;
 
 use ffrf_runtime::State;
-use ffrf_runtime::forces::{Actuator, Bushing, Effort, Friction, Spring, TorsionSpring, relative_angle};
-use ffrf_runtime::joints::JointKind;
-use ffrf_runtime::mechanism::{Attachment, Connection};
+use ffrf_runtime::forces::{Bushing, ConstantWrench, Frame, Spring, TorsionSpring, relative_angle};
+use ffrf_runtime::mechanism::turn_about;
 use nalgebra::Vector3;
 
 use super::SceneError;
+use super::efforts::{Composed, Joints, effort, number};
 use super::file::{ForceTable, Vector};
-use super::joints::{direction, function_of_time, triad};
+use super::joints::{direction, triad};
 use super::names::{NamedBody, attachment};
 use crate::HostModal;
-use crate::mechanism::{Drive, Element, ElementKind};
+use crate::mechanism::{Element, ElementKind};
 
 /// Every kind of force element by its name in scene files.
 const KINDS: [&str; 7] = ["spring", "torsion_spring", "bushing", "friction", "actuator", "force", "moment"];
 
-/// The joints of a scene, in which friction and actuators act.
-pub(super) struct Joints<'a> {
-    /// Names, and the connections of each.
-    pub(super) names: &'a [(String, Vec<usize>)],
-    pub(super) connections: &'a [(Connection<f64>, Option<Drive>)],
-}
-
-/// The force element of a table between bodies in their initial states.
+/// The force of a table between bodies in their initial states.
 pub(super) fn element(
     name: &str,
     table: &ForceTable,
@@ -33,11 +26,11 @@ pub(super) fn element(
     states: &[State<HostModal>],
     joints: &Joints<'_>,
     folder: &Path,
-) -> Result<Element, SceneError> {
+) -> Result<Composed, SceneError> {
     let key = format!("forces.{name}");
     used(&key, table)?;
     if matches!(table.kind.as_str(), "friction" | "actuator") {
-        return effort_element(&key, table, bodies, joints, folder);
+        return effort(&key, table, bodies, joints, folder);
     }
     let Some(second) = &table.second else {
         return Err(SceneError::value(format!("{key}.second"), "BODY or BODY.MARKER", "nothing"));
@@ -60,8 +53,7 @@ pub(super) fn element(
             let along_axis = direction(&format!("{key}.axis"), table.axis)?;
             let relative = triad(bodies, states, &first).orientation.inverse()
                 * triad(bodies, states, &second).orientation;
-            let seen = along_axis.inverse() * relative * along_axis;
-            let turn = 2.0 * seen.k.atan2(seen.w);
+            let turn = turn_about(&relative, &along_axis);
             first.orientation *= along_axis;
             second.orientation *= relative.inverse()
                 * along_axis
@@ -77,11 +69,19 @@ pub(super) fn element(
             stiffness: six(&key, "stiffness_matrix", table.stiffness_matrix, None)?,
             damping: six(&key, "damping_matrix", table.damping_matrix, Some([0.0; 6]))?,
         }),
-        "force" => ElementKind::Force { value: vector(&key, table.value)?, follows: follows(&key, table)? },
-        "moment" => ElementKind::Moment { value: vector(&key, table.value)?, follows: follows(&key, table)? },
+        "force" => ElementKind::Constant(ConstantWrench {
+            force: vector(&key, table.value)?,
+            moment: Vector3::zeros(),
+            frame: frame(&key, table)?,
+        }),
+        "moment" => ElementKind::Constant(ConstantWrench {
+            force: Vector3::zeros(),
+            moment: vector(&key, table.value)?,
+            frame: frame(&key, table)?,
+        }),
         _ => return Err(unknown_kind(&key, table)),
     };
-    Ok(Element { kind, first, second })
+    Ok(Composed::Element(Element { kind, first, second }))
 }
 
 fn unknown_kind(key: &str, table: &ForceTable) -> SceneError {
@@ -124,111 +124,6 @@ fn used(key: &str, table: &ForceTable) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Friction or an actuator, in a joint or between two attachments of its own.
-fn effort_element(
-    key: &str,
-    table: &ForceTable,
-    bodies: &mut [NamedBody],
-    joints: &Joints<'_>,
-    folder: &Path,
-) -> Result<Element, SceneError> {
-    let (first, second, usual) = match &table.joint {
-        Some(joint) => in_joint(key, table, joint, joints)?,
-        None => {
-            let Some(second) = &table.second else {
-                let expected = "BODY or BODY.MARKER, or a joint in `joint`";
-                return Err(SceneError::value(format!("{key}.second"), expected, "nothing"));
-            };
-            let first = table.first.as_deref().unwrap_or("ground");
-            let mut first = attachment(bodies, &format!("{key}.first"), first, table.first_position)?;
-            first.orientation *= direction(&format!("{key}.axis"), table.axis)?;
-            let second = attachment(bodies, &format!("{key}.second"), second, table.second_position)?;
-            (first, second, None)
-        }
-    };
-    let effort = match (table.acts.as_deref(), usual) {
-        (Some("about"), _) => Effort::About,
-        (Some("along"), _) => Effort::Along,
-        (Some("line"), _) => Effort::Line,
-        (None, Some(usual)) => usual,
-        (found, _) => {
-            let found = found.map_or("nothing".to_owned(), |found| format!("`{}`", found.escape_debug()));
-            return Err(SceneError::value(format!("{key}.acts"), "`about`, `along` or `line`", found));
-        }
-    };
-    let kind = if table.kind == "friction" {
-        let speed = number(key, table.speed, "speed", None)?;
-        if speed == 0.0 {
-            return Err(SceneError::value(format!("{key}.speed"), "a positive speed", speed));
-        }
-        ElementKind::Friction(Friction {
-            effort,
-            limit: number(key, table.limit, "limit", None)?,
-            speed,
-            viscous: number(key, table.damping, "damping", Some(0.0))?,
-        })
-    } else {
-        let Some(input) = &table.input else {
-            return Err(SceneError::value(format!("{key}.input"), "a function of time", "nothing"));
-        };
-        let gain = table.gain.unwrap_or(1.0);
-        if !gain.is_finite() {
-            return Err(SceneError::value(format!("{key}.gain"), "a finite number", gain));
-        }
-        let limit = table.limit.map(|limit| number(key, Some(limit), "limit", None)).transpose()?;
-        ElementKind::Actuator {
-            actuator: Actuator { effort, gain, limit: limit.unwrap_or(f64::MAX) },
-            input: function_of_time(&format!("{key}.input"), input, folder)?,
-        }
-    };
-    Ok(Element { kind, first, second })
-}
-
-/// Both ends of a joint, and where an effort in it usually acts: on what the joint leaves free.
-fn in_joint(
-    key: &str,
-    table: &ForceTable,
-    name: &str,
-    joints: &Joints<'_>,
-) -> Result<(Attachment<f64>, Attachment<f64>, Option<Effort>), SceneError> {
-    let places = [
-        (table.first.is_some(), "first"),
-        (table.second.is_some(), "second"),
-        (table.axis.is_some(), "axis"),
-        (table.first_position.is_some(), "first_position"),
-        (table.second_position.is_some(), "second_position"),
-    ];
-    if let Some((_, what)) = places.into_iter().find(|(given, _)| *given) {
-        let expected = "nothing: the joint has its own";
-        return Err(SceneError::value(format!("{key}.{what}"), expected, "a value"));
-    }
-    let found = joints.names.iter().find(|(known, _)| known == name);
-    let Some((connection, _)) = found.and_then(|(_, own)| joints.connections.get(*own.first()?)) else {
-        return Err(SceneError::Unknown {
-            key: format!("{key}.joint"),
-            kind: "joint",
-            found: name.escape_debug().to_string(),
-            known: joints.names.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>().join(", "),
-        });
-    };
-    let usual = match connection.kind {
-        JointKind::Revolute(_) => Some(Effort::About),
-        JointKind::Prismatic(_) | JointKind::InLine(_) => Some(Effort::Along),
-        _ => None,
-    };
-    Ok((connection.first, connection.second, usual))
-}
-
-fn number(key: &str, value: Option<f64>, what: &str, otherwise: Option<f64>) -> Result<f64, SceneError> {
-    match value.or(otherwise) {
-        Some(number) if number >= 0.0 && number.is_finite() => Ok(number),
-        Some(number) => {
-            Err(SceneError::value(format!("{key}.{what}"), "a number that is not negative", number))
-        }
-        None => Err(SceneError::value(format!("{key}.{what}"), "a number", "nothing")),
-    }
-}
-
 fn vector(key: &str, value: Option<Vector>) -> Result<Vector3<f64>, SceneError> {
     match value {
         Some(value) if value.iter().all(|x| x.is_finite()) => Ok(value.into()),
@@ -254,10 +149,10 @@ fn six(
     }
 }
 
-fn follows(key: &str, table: &ForceTable) -> Result<bool, SceneError> {
+fn frame(key: &str, table: &ForceTable) -> Result<Frame, SceneError> {
     match table.frame.as_deref() {
-        None | Some("inertial") => Ok(false),
-        Some("body") => Ok(true),
+        None | Some("inertial") => Ok(Frame::Inertial),
+        Some("body") => Ok(Frame::Body),
         Some(other) => Err(SceneError::value(
             format!("{key}.frame"),
             "`inertial` or `body`",

@@ -1,12 +1,13 @@
 //! The way of a scene through time.
 
 use ffrf_runtime::StepError;
+use ffrf_runtime::mechanism::Assembly;
 use thiserror::Error;
 
 use super::sample::sample;
 use super::spin::SpinWatch;
 use super::{Advance, Sample, SavedState, SpinWarning, StateError};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Integrator, Scene, SceneError};
 
 /// Where a simulation is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,6 +72,7 @@ pub fn simulate(
         None => (0.0, scene.assembled()?),
         Some(saved) => {
             advance.next_step = saved.next_step;
+            advance.memory = saved.memory(scene)?;
             if saved.angles.len() == angles.len() {
                 angles.clone_from(&saved.angles);
             }
@@ -101,7 +103,7 @@ pub fn simulate(
         write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
         progress(Progress { time, share: time / settings.duration, steps: advance.steps });
     }
-    let end = SavedState::new(scene, time, advance.next_step, &angles, &state);
+    let end = SavedState::new(scene, time, &advance, &angles, &state);
     Ok(Summary { advance, initial_residuals, end, spin: watch.warnings })
 }
 
@@ -109,8 +111,17 @@ fn reason(scene: &Scene, error: StepError) -> String {
     match error {
         StepError::ConstraintsNotMet { joint, residual } => {
             let name = scene.connection_names.get(joint).map_or("?", String::as_str);
+            // With the stiff modes taken implicitly their frequency is no limit.
+            let explicit = scene.settings.integrator != Integrator::LinearlyImplicit;
+            let limit = scene
+                .mechanism
+                .largest_stable_step()
+                .filter(|_| explicit)
+                .map_or_else(String::new, |limit| {
+                    format!("; the highest mode allows explicit steps of at most {limit:.3e} s")
+                });
             format!(
-                "joint `{name}` is off by {residual:.3e} (m or rad) and cannot be met again: reduce the step"
+                "joint `{name}` is off by {residual:.3e} (m or rad) and cannot be met again: reduce the step{limit}"
             )
         }
         other => other.to_string(),

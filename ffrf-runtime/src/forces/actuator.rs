@@ -1,29 +1,34 @@
-//! An actuator: a force or moment that a control input commands.
+//! A force and a moment along the axis of a joint, as a controller wants them.
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
-use super::Effort;
+use super::ForceElement;
 use crate::body::{MarkerMotion, Wrench};
 
-/// An actuator between two triads, without inertia of its own.
+/// A force along and a moment about the z axis of the first triad, on the second end; the first gets their reaction.
+///
+/// The inputs are those of a controller, set between steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Actuator<T = f64> {
-    /// Where it acts.
-    pub effort: Effort,
-    /// Force or moment per unit of the input. Units: N or N m per unit.
-    pub gain: T,
-    /// The largest force or moment it can exert, either way. Units: N or N m.
-    pub limit: T,
+    /// Force on the second end. Units: N.
+    pub force: T,
+    /// Moment on the second end. Units: N m.
+    pub moment: T,
 }
 
 impl<T: RealField + Copy> Actuator<T> {
-    /// Wrenches on both ends (inertial) at this input.
-    pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, input: T) -> [Wrench<T>; 2] {
-        self.effort.wrenches(first, second, self.exerted(input))
+    /// An actuator that does nothing yet.
+    pub fn idle() -> Self {
+        Self { force: T::zero(), moment: T::zero() }
     }
+}
 
-    /// The force or moment at this input: `gain` times it, at most the limit. Units: N or N m.
-    pub fn exerted(&self, input: T) -> T {
-        (self.gain * input).max(-self.limit).min(self.limit)
+impl<T: RealField + Copy> ForceElement<T> for Actuator<T> {
+    fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+        let axis = first.orientation.transform_vector(&Vector3::z());
+        let (force, moment) = (axis * self.force, axis * self.moment);
+        // the reaction acts at the second end: force and moment are in balance
+        let arm = second.position - first.position;
+        [Wrench { force: -force, moment: -moment - arm.cross(&force) }, Wrench { force, moment }]
     }
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
+use super::ForceElement;
 use crate::body::{MarkerMotion, Wrench};
 
 /// A bushing: displacement of the second triad in the first, and twice the vector part u of the quaternion between both, which
@@ -14,9 +15,9 @@ pub struct Bushing<T = f64> {
     pub damping: [T; 6],
 }
 
-impl<T: RealField + Copy> Bushing<T> {
+impl<T: RealField + Copy> ForceElement<T> for Bushing<T> {
     /// Wrenches on both ends (inertial). Force and moment act at the second end; the first gets their reaction there.
-    pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+    fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
         let between = second.position - first.position;
         let to_first = |vector: &Vector3<T>| first.orientation.inverse_transform_vector(vector);
         let displacement = to_first(&between);
@@ -39,7 +40,7 @@ impl<T: RealField + Copy> Bushing<T> {
     }
 
     /// Stored energy. Units: J.
-    pub fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
+    fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
         let displacement = first.orientation.inverse_transform_vector(&(second.position - first.position));
         let two: T = nalgebra::convert(2.0);
         let turn = relative_rotation(first, second).imag() * two;

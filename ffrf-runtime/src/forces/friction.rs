@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::Effort;
+use super::{Effort, ForceElement};
 use crate::body::{MarkerMotion, Wrench};
 
 /// Coulomb friction with a smooth passage through rest, and viscous friction: -(limit / √(v² + speed²) + viscous) v.
@@ -22,13 +22,14 @@ pub struct Friction<T = f64> {
     pub viscous: T,
 }
 
-impl<T: RealField + Copy> Friction<T> {
-    /// Wrenches on both ends (inertial).
-    pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+impl<T: RealField + Copy> ForceElement<T> for Friction<T> {
+    fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
         let rate = self.effort.rate(first, second);
         self.effort.wrenches(first, second, self.exerted(rate))
     }
+}
 
+impl<T: RealField + Copy> Friction<T> {
     /// The force or moment on the second end at this rate. Units: N or N m.
     pub fn exerted(&self, rate: T) -> T {
         -rate * (self.limit / (rate * rate + self.speed * self.speed).sqrt() + self.viscous)

@@ -2,7 +2,9 @@
 
 mod actuator;
 mod bushing;
+mod constant_wrench;
 mod effort;
+mod force_element;
 mod friction;
 mod gravity;
 mod load;
@@ -12,7 +14,9 @@ mod torsion_spring;
 
 pub use actuator::Actuator;
 pub use bushing::Bushing;
+pub use constant_wrench::ConstantWrench;
 pub use effort::Effort;
+pub use force_element::ForceElement;
 pub use friction::Friction;
 pub use gravity::Gravity;
 pub use load::Load;

@@ -22,6 +22,22 @@ pub struct Regularisation<T = f64> {
     pub refinements: usize,
 }
 
+impl<T: RealField + Copy> Regularisation<T> {
+    /// For mechanisms whose joints close loops: 1e-9 and two refinements in double precision, 1e-3 and three in single.
+    ///
+    /// Measured on a four-bar linkage that passes its singular position: these equal an exact solution there.
+    pub fn of_loops() -> Self {
+        let share = if T::default_epsilon() < nalgebra::convert(1e-10) { 1e-9 } else { 1e-3 };
+        let refinements = if share < 1e-6 { 2 } else { 3 };
+        Self { share: nalgebra::convert(share), refinements }
+    }
+
+    /// For trees, whose rows are never redundant: nothing is added, nothing to refine.
+    pub fn of_trees() -> Self {
+        Self { share: T::zero(), refinements: 0 }
+    }
+}
+
 /// The numbers of one evaluation of a mechanism; sizes as its plan says.
 #[derive(Debug)]
 pub struct Storage<'a, T: RealField + Copy> {
@@ -46,6 +62,28 @@ pub enum Level {
     Position,
     /// Velocities that take the rate of the residual away.
     Velocity,
+}
+
+/// What the accelerations that are solved for do to the residuals g of the rows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target<T = f64> {
+    /// g̈ = -2 a ġ - b² g, where `gains` are 2 a and b² (Baumgarte); zero to keep ġ as it is. Units: 1/s and 1/s².
+    Acceleration {
+        /// 2 a and b².
+        gains: [T; 2],
+    },
+    /// Correction of accelerations that act for this long on velocities: takes ġ away. Units: s.
+    Velocity {
+        /// What a change of the accelerations is multiplied by to change velocities.
+        share: T,
+    },
+    /// As [`Constraints::aim`] has stored it.
+    Aimed,
+    /// Correction of accelerations that act so on places: takes g away. Units: s².
+    Position {
+        /// What a change of the accelerations is multiplied by to change places.
+        share: T,
+    },
 }
 
 /// A mechanism in one state: its bodies, joints and numbers.
@@ -145,9 +183,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         }
     }
 
-    /// Accelerations of every body and multipliers, in the factored state. `baumgarte`: gains 2 a and b² of the rates and
-    /// residuals that are taken into account; zero for none.
-    pub fn accelerate(&mut self, baumgarte: [T; 2]) {
+    /// Accelerations of every body and multipliers, in the factored state.
+    ///
+    /// With accelerations subtracted (see [`ImplicitTerms`](super::ImplicitTerms)), what is found is their correction.
+    pub fn accelerate(&mut self, target: Target<T>) {
         for (index, place) in self.plan.bodies.iter().enumerate() {
             let Some(port) = self.ports.port_mut(index) else { continue };
             for (i, entry) in port.reduced_force().iter().enumerate() {
@@ -162,24 +201,44 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             };
             let [first, second] = ends;
             for (k, row) in rows.as_slice().iter().enumerate() {
-                let mut wanted = -row.whole_bias(first, second)
-                    - baumgarte[0] * row.velocity(first, second)
-                    - baumgarte[1] * row.residual;
+                let mut wanted = match target {
+                    Target::Acceleration { gains } => {
+                        -row.whole_bias(first, second)
+                            - gains[0] * row.velocity(first, second)
+                            - gains[1] * row.residual
+                    }
+                    Target::Velocity { share } => -row.velocity(first, second) / share,
+                    Target::Position { share } => -row.residual / share,
+                    Target::Aimed => get(self.storage.right, place.unknowns + k),
+                };
                 for (side, end) in place.ends.iter().enumerate() {
                     let Some(end) = end else { continue };
                     let Some(port) = self.ports.port(end.body) else { continue };
-                    let (marker, gradient) = if side == 0 {
-                        (connection.first.marker, &row.first)
-                    } else {
-                        (connection.second.marker, &row.second)
-                    };
-                    let [linear, angular] = port.subtracted_twist(marker);
-                    wanted -= port.modal_acceleration(end.slot + k) + gradient.power(&linear, &angular);
+                    wanted -= port.modal_acceleration(end.slot + k);
+                    if matches!(target, Target::Acceleration { .. }) {
+                        let (marker, gradient) = if side == 0 {
+                            (connection.first.marker, &row.first)
+                        } else {
+                            (connection.second.marker, &row.second)
+                        };
+                        let [linear, angular] = port.subtracted_twist(marker);
+                        wanted -= gradient.power(&linear, &angular);
+                    }
                 }
                 set(self.storage.right, place.unknowns + k, wanted);
             }
         }
         self.solve();
+    }
+
+    /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
+    /// [`accelerate`](Self::accelerate). `share`: what a change of the unknowns is multiplied by to change places.
+    pub fn aim(&mut self, share: T) {
+        for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter()) {
+            for (k, row) in rows.as_slice().iter().enumerate() {
+                set(self.storage.right, place.unknowns + k, -row.residual / share);
+            }
+        }
     }
 
     /// Displacements or changes of velocity of least kinetic energy that take the residuals of a level away, to first order.

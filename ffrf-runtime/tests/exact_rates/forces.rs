@@ -2,7 +2,9 @@
 //! exact rate of what they act along. By dual numbers, between bodies with and without modes and the ground.
 
 use super::joints::{End, end, pairs};
-use ffrf_runtime::forces::{Actuator, Bushing, Effort, Friction, Spring, TorsionSpring, relative_angle};
+use ffrf_runtime::forces::{
+    Actuator, Bushing, Effort, ForceElement, Friction, Spring, TorsionSpring, relative_angle,
+};
 use ffrf_runtime::nalgebra::{UnitQuaternion, Vector3};
 use ffrf_runtime::{MarkerMotion, Wrench};
 use ffrf_test_kit::tolerances::DERIVED;
@@ -153,14 +155,18 @@ fn friction_takes_energy_and_never_more_than_its_limit() {
 }
 
 #[test]
-fn actuators_exert_their_gain_within_their_limit() {
-    let actuator = Actuator { effort: Effort::Line, gain: 3.0, limit: 5.0 };
-    assert_eq!([-10.0, -1.0, 0.0, 1.5, 9.0].map(|u| actuator.exerted(u)), [-5.0, -3.0, 0.0, 4.5, 5.0]);
+fn actuators_are_an_effort_along_and_one_about_the_axis() {
     for_every_pair(|ends| {
-        let found = actuator.wrenches(&ends[0].motion, &ends[1].motion, 1.5);
-        assert_eq!(found, Effort::Line.wrenches(&ends[0].motion, &ends[1].motion, 4.5));
-        // positive is apart
-        let between = ends[1].motion.position - ends[0].motion.position;
-        assert!(found[1].force.dot(&between) > 0.0);
+        let actuator = Actuator { force: 1.5, moment: -0.7 };
+        let [first, second] = [&ends[0].motion, &ends[1].motion];
+        let wrenches = actuator.wrenches(first, second);
+        let (power, size) = power(&wrenches, ends);
+        let rates = [Effort::Along, Effort::About].map(|effort| effort.rate(first, second));
+        close(power, 1.5 * rates[0] - 0.7 * rates[1], size);
+        balanced(&wrenches, ends);
+        assert_eq!(Actuator::idle().wrenches(first, second), [Wrench::zero(); 2]);
+        // positive is apart on a line
+        let apart = Effort::Line.wrenches(first, second, 2.0)[1].force;
+        assert!(apart.dot(&(second.position - first.position)) > 0.0);
     });
 }
