@@ -39,6 +39,16 @@ impl Writer {
         }
     }
 
+    /// What follows stands one level deeper.
+    pub(super) fn indent(&mut self) {
+        self.depth += 1;
+    }
+
+    /// What follows stands one level less deep.
+    pub(super) fn outdent(&mut self) {
+        self.depth = self.depth.saturating_sub(1);
+    }
+
     /// `open`, then what `write` writes, one level deeper, then `close`.
     pub(super) fn block(&mut self, open: &str, close: &str, write: impl FnOnce(&mut Self)) {
         self.line(open);
