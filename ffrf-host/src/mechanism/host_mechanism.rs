@@ -10,7 +10,7 @@ use ffrf_runtime::{FlexibleBody, Increment, LocalError, Marker, MarkerMotion, St
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::plan::OwnedPlan;
-use super::{Drive, Element, HostIncrement};
+use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
 /// Forces of elements and users: sees the whole mechanism.
@@ -24,6 +24,7 @@ pub struct HostMechanism {
     drives: Vec<Option<Drive>>,
     gravity: Vector3<f64>,
     elements: Vec<Element>,
+    actuators: Vec<ScheduledActuator>,
     forces: Option<Box<Forces>>,
     plan: OwnedPlan,
     treatment: Treatment<f64>,
@@ -61,6 +62,7 @@ impl HostMechanism {
             drives,
             gravity,
             elements: Vec::new(),
+            actuators: Vec::new(),
             forces: None,
             plan,
             treatment: Treatment::Projection { iterations: 8, tolerance: 1e-6 },
@@ -72,6 +74,13 @@ impl HostMechanism {
     #[must_use]
     pub fn with_elements(mut self, elements: Vec<Element>) -> Self {
         self.elements = elements;
+        self
+    }
+
+    /// The same mechanism with these actuators.
+    #[must_use]
+    pub fn with_actuators(mut self, actuators: Vec<ScheduledActuator>) -> Self {
+        self.actuators = actuators;
         self
     }
 
@@ -199,6 +208,9 @@ impl Assembly<f64> for HostMechanism {
         }
         for element in &self.elements {
             element.apply(ports);
+        }
+        for actuator in &self.actuators {
+            actuator.apply(time, ports);
         }
         if let Some(forces) = &self.forces {
             forces(time, ports);

@@ -5,6 +5,7 @@ mod element;
 mod formula;
 mod host_mechanism;
 mod plan;
+mod scheduled_actuator;
 mod states;
 mod table;
 
@@ -12,5 +13,6 @@ pub use drive::Drive;
 pub use element::{Element, ElementKind};
 pub use formula::{Formula, FormulaError};
 pub use host_mechanism::{HostMechanism, HostPorts};
+pub use scheduled_actuator::ScheduledActuator;
 pub use states::HostIncrement;
 pub use table::{Table, TableError};

@@ -6,12 +6,13 @@ use ffrf_runtime::State;
 use ffrf_runtime::mechanism::Constrained;
 use nalgebra::Vector3;
 
+use super::efforts::{Composed, Joints};
 use super::file::SceneFile;
 use super::names::NamedBody;
 use super::sensors::{Sensor, sensor};
 use super::{SceneError, Settings, bodies, forces, joints};
 use crate::HostModal;
-use crate::mechanism::{Drive, Element, HostMechanism};
+use crate::mechanism::{Drive, HostMechanism};
 
 /// A scene that can be simulated.
 pub struct Scene {
@@ -64,15 +65,15 @@ impl Scene {
             }
             joint_connections.push((name.clone(), own));
         }
-        let elements: Result<Vec<Element>, SceneError> = file
-            .forces
-            .iter()
-            .map(|(name, table)| {
-                check_name("forces", name)?;
-                forces::element(name, table, &mut named, &states)
-            })
-            .collect();
-        let elements = elements?;
+        let (mut elements, mut actuators) = (Vec::new(), Vec::new());
+        for (name, table) in &file.forces {
+            check_name("forces", name)?;
+            let joints = Joints { names: &joint_connections, connections: &connections };
+            match forces::element(name, table, &mut named, &states, &joints, folder)? {
+                Composed::Element(element) => elements.push(element),
+                Composed::Actuator(actuator) => actuators.push(actuator),
+            }
+        }
         let mut sensors = Vec::with_capacity(file.sensors.len());
         for (name, table) in &file.sensors {
             check_name("sensors", name)?;
@@ -82,6 +83,7 @@ impl Scene {
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
+            .with_actuators(actuators)
             .with_treatment(settings.treatment);
         Ok(Self { mechanism, initial: states, body_names, connection_names, sensors, settings })
     }

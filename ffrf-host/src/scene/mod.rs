@@ -2,6 +2,7 @@
 
 mod bodies;
 mod compose;
+mod efforts;
 mod error;
 pub mod file;
 mod forces;
