@@ -42,6 +42,14 @@ impl<T: RealField + Copy> Treatment<T> {
     }
 }
 
+impl<T: RealField + Copy> Treatment<T> {
+    /// The default: projection with at most eight corrections; 1e-6 (1e-4 in single precision) may be left.
+    pub fn projection() -> Self {
+        let tolerance = if T::default_epsilon() < nalgebra::convert(1e-10) { 1e-6 } else { 1e-4 };
+        Self::Projection { iterations: 8, tolerance: nalgebra::convert(tolerance) }
+    }
+}
+
 /// A mechanism composed at compile time or read from a file.
 pub trait Assembly<T: RealField + Copy> {
     /// The states of all bodies.
@@ -72,6 +80,11 @@ pub trait Assembly<T: RealField + Copy> {
     fn plan(&self) -> Plan<'_>;
     /// The joints.
     fn connections(&self) -> &[Connection<T>];
+    /// The name of a joint, for reports; empty where names come at run time.
+    fn joint_name(&self, joint: usize) -> &'static str {
+        let _ = joint;
+        ""
+    }
     /// Value, rate and acceleration of the drive of a joint; zeros for joints without one.
     fn drive(&self, joint: usize, time: T) -> [T; 3];
     /// Adds the forces at `time`.
