@@ -6,7 +6,10 @@ use ffrf_runtime::mechanism::{
     Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
-use ffrf_runtime::{FlexibleBody, Increment, LocalError, Marker, MarkerMotion, State, Tolerances};
+use ffrf_runtime::{
+    FlexibleBody, Forcing, Increment, LocalError, Marker, MarkerMotion, ModalVector, Oscillators, State,
+    Tolerances,
+};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::plan::OwnedPlan;
@@ -103,9 +106,33 @@ impl HostMechanism {
         &self.markers
     }
 
+    /// The drive of each connection.
+    pub fn drives(&self) -> &[Option<Drive>] {
+        &self.drives
+    }
+
     /// The force elements.
     pub fn elements(&self) -> &[Element] {
         &self.elements
+    }
+
+    /// The first joint at a marker that modes move.
+    pub fn joint_on_modes(&self) -> Option<usize> {
+        let moved = |marker: &Marker<HostModal, f64>| {
+            marker.translation.iter().chain(&marker.rotation).any(|row| row.largest() > 0.0)
+        };
+        self.connections.iter().position(|joint| {
+            let mut ends = [&joint.first, &joint.second].into_iter();
+            ends.any(|end| end.body.is_some_and(|body| moved(&self.markers[body][end.marker])))
+        })
+    }
+
+    /// Modes, each on its own, of every body; `None` if joints hold what modes move, or where matrices are dense.
+    fn oscillators(&self) -> Option<Vec<Oscillators<HostModal>>> {
+        match self.joint_on_modes() {
+            Some(_) => None,
+            None => self.bodies.iter().map(Oscillators::new).collect(),
+        }
     }
 
     /// The bodies.
@@ -266,5 +293,21 @@ impl Assembly<f64> for HostMechanism {
 
     fn largest_stable_step(&self) -> Option<f64> {
         self.bodies.iter().filter_map(FlexibleBody::largest_stable_step).reduce(f64::min)
+    }
+
+    fn vibration_rates(&self, state: &Self::State) -> Option<HostIncrement> {
+        let modes = self.oscillators()?;
+        Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.rates(state)).collect()))
+    }
+
+    fn free_vibration(&self, state: &Self::State, step: f64) -> Option<HostIncrement> {
+        let modes = self.oscillators()?;
+        Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.free(state, step)).collect()))
+    }
+
+    fn forced_vibration(&self, rates: &HostIncrement, step: f64, forcing: Forcing) -> Option<HostIncrement> {
+        let modes = self.oscillators()?;
+        let parts = modes.iter().zip(&rates.0);
+        Some(HostIncrement(parts.map(|(modes, rates)| modes.forced(rates, step, forcing)).collect()))
     }
 }
