@@ -43,19 +43,21 @@ impl HostMechanism {
         joints: Vec<(Connection<f64>, Option<Drive>)>,
         gravity: Vector3<f64>,
     ) -> Result<Self, TopologyError> {
+        let shape = |joint: &Connection<f64>| JointTopology {
+            rows: joint.kind.row_count(),
+            ends: [joint.first.body, joint.second.body],
+        };
+        let flexible: Vec<bool> = bodies.iter().map(|(body, _)| body.mode_count() > 0).collect();
         let topology = Topology {
-            flexible: bodies.iter().map(|(body, _)| body.mode_count() > 0).collect(),
-            joints: joints
-                .iter()
-                .map(|(joint, _)| JointTopology {
-                    rows: joint.kind.row_count(),
-                    ends: [joint.first.body, joint.second.body],
-                })
-                .collect(),
+            flexible: flexible.clone(),
+            joints: joints.iter().map(|(joint, _)| shape(joint)).collect(),
         };
         let plan = OwnedPlan::new(&MechanismPlan::new(&topology)?);
-        // redundant rows need loops; the share and the refinements: see `Regularisation`
-        let regularisation = Regularisation { share: 1e-9, refinements: 2 };
+        // redundant rows need loops, which a drive beside its joint does not close
+        let undriven = joints.iter().filter(|(_, drive)| drive.is_none());
+        let undriven = Topology { flexible, joints: undriven.map(|(joint, _)| shape(joint)).collect() };
+        let regularisation =
+            if undriven.has_loops() { Regularisation::of_loops() } else { Regularisation::of_trees() };
         let (bodies, markers) = bodies.into_iter().unzip();
         let (connections, drives) = joints.into_iter().unzip();
         Ok(Self {
