@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::check::Check;
+use crate::measured::Check;
 
 /// What can be wrong with a reduced body or with its file.
 #[derive(Debug, thiserror::Error)]

@@ -44,10 +44,10 @@ pub mod rotation;
 
 pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
-    GeneralisedForce, Increment, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
+    GeneralisedForce, Increment, Load, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
     NamedMarkers, Observables, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State, Wrench,
 };
-pub use forces::{Frame, Gravity, Load, MarkerLoad};
+pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{
     ControlledStep, Drift, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
     step_dormand_prince, step_linearly_implicit, step_rk4, step_symplectic_euler, try_dormand_prince,

@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, State};
-use crate::forces::Load;
+use super::{FlexibleBody, GeneralisedForce, Increment, Load, ModalVector, State};
 use crate::integrators::{LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace};
 
 /// A body without joints and what pushes it.

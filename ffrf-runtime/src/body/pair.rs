@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, Increment, State};
-use crate::forces::Load;
+use super::{FlexibleBody, GeneralisedForce, Increment, Load, State};
 use crate::integrators::{LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace};
 
 /// Something of each of two bodies: the bodies themselves, their states, changes of them, or forces on them.

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use super::assemble::Settled;
 use crate::import::nodes::NodeTable;
 use crate::import::{ImportError, Note};
 use crate::{Nodes, SparseMatrix};
@@ -134,9 +133,4 @@ impl Coverage<'_> {
             )));
         }
     }
-}
-
-/// Degrees of freedom that a list leaves out without marking them as held.
-pub(super) fn left_out(settled: &Settled) -> Vec<bool> {
-    settled.held.iter().zip(&settled.huge).map(|(&held, &huge)| held && !huge).collect()
 }
