@@ -15,13 +15,14 @@ mod generate;
 mod inspect;
 mod modes;
 mod output;
+mod plots;
 mod progress;
 mod reduce;
 mod report;
+mod results;
 mod sample_states;
 mod simulate;
 mod states;
-mod transfer_plot;
 mod verify;
 
 use std::process::ExitCode;

@@ -18,6 +18,7 @@ mod numbers;
 mod output;
 mod shape;
 mod stable_step;
+mod text;
 mod tolerances;
 mod units;
 
@@ -28,4 +29,5 @@ pub use inertia::{Inertia, Matrix3, Vector3};
 pub use measured::{Check, Limit};
 pub use mode_selection::ModeSelection;
 pub use output::write_file;
+pub use text::printable;
 pub use units::{UNKNOWN_UNITS, Units, UnitsError};

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::text::printable;
+
 /// One check: what was measured, and the limit it must keep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
@@ -43,7 +45,7 @@ impl Check {
 
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {:.3e}, must be {}", self.subject, self.measured, self.limit)
+        write!(f, "{}: {:.3e}, must be {}", printable(&self.subject), self.measured, self.limit)
     }
 }
 

@@ -1,9 +1,10 @@
-//! Force elements between two attachments.
+//! Force elements of any kind.
 
-use ffrf_runtime::forces::{Bushing, Spring, TorsionSpring};
-use ffrf_runtime::mechanism::{Attachment, Ports};
+use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Spring, TorsionSpring};
 use ffrf_runtime::{MarkerMotion, Wrench};
-use nalgebra::Vector3;
+
+/// A force element and what it is attached to.
+pub type Element = ffrf_runtime::mechanism::Element<ElementKind>;
 
 /// What acts between two attachments.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,70 +15,27 @@ pub enum ElementKind {
     TorsionSpring(TorsionSpring),
     /// See [`Bushing`].
     Bushing(Bushing),
-    /// A constant force (N) at the second attachment.
-    Force {
-        /// Shape: 3. Units: N.
-        value: Vector3<f64>,
-        /// Whether it turns with the body.
-        follows: bool,
-    },
-    /// A constant moment (N m) at the second attachment.
-    Moment {
-        /// Shape: 3. Units: N m.
-        value: Vector3<f64>,
-        /// Whether it turns with the body.
-        follows: bool,
-    },
+    /// See [`ConstantWrench`].
+    Constant(ConstantWrench),
 }
 
-/// A force element and what it is attached to.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Element {
-    /// What acts.
-    pub kind: ElementKind,
-    /// Where it begins.
-    pub first: Attachment<f64>,
-    /// Where it acts.
-    pub second: Attachment<f64>,
+impl ElementKind {
+    fn as_element(&self) -> &dyn ForceElement<f64> {
+        match self {
+            Self::Spring(element) => element,
+            Self::TorsionSpring(element) => element,
+            Self::Bushing(element) => element,
+            Self::Constant(element) => element,
+        }
+    }
 }
 
-impl Element {
-    /// Adds its wrenches to the forces on the bodies.
-    pub fn apply(&self, ports: &mut dyn Ports<f64>) {
-        let (first, second) = (self.first.motion(ports), self.second.motion(ports));
-        let wrenches = self.wrenches(&first, &second);
-        for (attachment, wrench) in [&self.first, &self.second].into_iter().zip(&wrenches) {
-            if let Some(port) = attachment.body.and_then(|body| ports.port_mut(body)) {
-                port.push(attachment.marker, wrench);
-            }
-        }
-    }
-
-    /// Stored energy. Units: J.
-    pub fn energy(&self, ports: &dyn Ports<f64>) -> f64 {
-        let (first, second) = (self.first.motion(ports), self.second.motion(ports));
-        match &self.kind {
-            ElementKind::Spring(spring) => spring.energy(&first, &second),
-            ElementKind::TorsionSpring(spring) => spring.energy(&first, &second),
-            ElementKind::Bushing(bushing) => bushing.energy(&first, &second),
-            ElementKind::Force { .. } | ElementKind::Moment { .. } => 0.0,
-        }
-    }
-
+impl ForceElement<f64> for ElementKind {
     fn wrenches(&self, first: &MarkerMotion, second: &MarkerMotion) -> [Wrench; 2] {
-        let turned = |value: &Vector3<f64>, follows: bool| {
-            if follows { second.orientation.transform_vector(value) } else { *value }
-        };
-        match &self.kind {
-            ElementKind::Spring(spring) => spring.wrenches(first, second),
-            ElementKind::TorsionSpring(spring) => spring.wrenches(first, second),
-            ElementKind::Bushing(bushing) => bushing.wrenches(first, second),
-            ElementKind::Force { value, follows } => {
-                [Wrench::zero(), Wrench { force: turned(value, *follows), moment: Vector3::zeros() }]
-            }
-            ElementKind::Moment { value, follows } => {
-                [Wrench::zero(), Wrench { force: Vector3::zeros(), moment: turned(value, *follows) }]
-            }
-        }
+        self.as_element().wrenches(first, second)
+    }
+
+    fn energy(&self, first: &MarkerMotion, second: &MarkerMotion) -> f64 {
+        self.as_element().energy(first, second)
     }
 }

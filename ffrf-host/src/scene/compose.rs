@@ -88,7 +88,7 @@ impl Scene {
 
     /// The initial state with the joints met, and how far the file's state was from them (position, velocity).
     ///
-    /// Positions, then velocities, move as little as possible, measured by the mass matrix.
+    /// Positions, then velocities, move as little as possible; parts are moved as a whole where that meets the joints.
     /// Errors: [`SceneError::NotAssembled`].
     pub fn assembled(&self) -> Result<(Vec<State<HostModal>>, [f64; 2]), SceneError> {
         let system = Constrained(&self.mechanism);
@@ -99,21 +99,11 @@ impl Scene {
             },
             other => SceneError::Key { key: "bodies".to_owned(), message: other.to_string() },
         };
-        let mut state = self.initial.clone();
-        let mut first = None;
-        // each pass factors anew, so that a state far from the joints is drawn in by Newton's method
-        for _ in 0..PASSES {
-            let (next, drift) = system.project(0.0, state, None, 2, f64::MAX).map_err(not)?;
-            state = next;
-            first.get_or_insert([drift.position, drift.velocity]);
-        }
-        let (state, _) = system.project(0.0, state, None, 8, ASSEMBLED).map_err(not)?;
-        Ok((state, first.unwrap_or([0.0; 2])))
+        let (state, drift) = system.assemble(0.0, self.initial.clone(), ASSEMBLED).map_err(not)?;
+        Ok((state, [drift.position, drift.velocity]))
     }
 }
 
-/// Factorisations while assembling.
-const PASSES: usize = 20;
 /// Residual of an assembled mechanism. Units: m or rad.
 const ASSEMBLED: f64 = 1e-8;
 

@@ -1,12 +1,18 @@
 //! What pushes bodies: every [`Load`](crate::Load), one file each.
 
+mod actuator;
 mod bushing;
+mod constant_wrench;
+mod force_element;
 mod gravity;
 mod marker_load;
 mod spring;
 mod torsion_spring;
 
+pub use actuator::Actuator;
 pub use bushing::Bushing;
+pub use constant_wrench::ConstantWrench;
+pub use force_element::ForceElement;
 pub use gravity::Gravity;
 pub use marker_load::{Frame, MarkerLoad};
 pub use spring::Spring;
