@@ -1,6 +1,6 @@
 //! Force elements of any kind.
 
-use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Spring, TorsionSpring};
+use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Friction, Spring, TorsionSpring};
 use ffrf_runtime::{MarkerMotion, Wrench};
 
 /// A force element and what it is attached to.
@@ -15,6 +15,8 @@ pub enum ElementKind {
     TorsionSpring(TorsionSpring),
     /// See [`Bushing`].
     Bushing(Bushing),
+    /// See [`Friction`].
+    Friction(Friction),
     /// See [`ConstantWrench`].
     Constant(ConstantWrench),
 }
@@ -25,6 +27,7 @@ impl ElementKind {
             Self::Spring(element) => element,
             Self::TorsionSpring(element) => element,
             Self::Bushing(element) => element,
+            Self::Friction(element) => element,
             Self::Constant(element) => element,
         }
     }

@@ -14,6 +14,7 @@ mod modal_vector;
 mod motion;
 mod named_markers;
 mod observables;
+mod oscillator;
 mod pair;
 mod prepared;
 mod rigid_body;
@@ -38,6 +39,7 @@ pub use pair::{Pair, PairSystem};
 pub use prepared::{Eliminated, Factored, Prepared};
 
 pub(crate) use implicit::ImplicitBody;
+pub use oscillator::Oscillators;
 pub use rigid_body::RigidBody;
 pub(crate) use span::Span;
 pub(crate) use span_marker::SpanMarker;
