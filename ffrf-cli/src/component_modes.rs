@@ -11,7 +11,7 @@ use ffrf_fe::reduction::ReductionOptions;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::{CouplingArgument, InterfaceArgument, InterfaceChoice, Reduce};
-use crate::transfer_plot;
+use crate::plots;
 
 /// The body, and what there is to say about its modes.
 pub fn reduce(
@@ -92,7 +92,7 @@ fn compare(model: &FeModel, modes: &ComponentModes, choice: &InterfaceChoice, li
     let frequencies: Vec<f64> = (1..=count).map(|i| limit * i as f64 / count as f64).collect();
     let points = transfer_functions(model, modes, &frequencies).context("interface transfer functions")?;
     if let Some(path) = &choice.transfer_plot {
-        let picture = transfer_plot::draw(&points)?;
+        let picture = plots::draw_transfer(&points)?;
         ffrf_model::write_file(path, picture.as_bytes())
             .with_context(|| format!("{}: cannot be written", path.display()))?;
     }

@@ -18,13 +18,14 @@ pub mod lane_body;
 pub mod lane_kernels;
 mod modes;
 mod output;
+mod plots;
 mod progress;
 mod reduce;
 mod report;
+mod results;
 mod sample_states;
 mod simulate;
 mod states;
-mod transfer_plot;
 mod verify;
 
 use std::process::ExitCode;

@@ -12,15 +12,22 @@ use anyhow::{Context, Result};
 /// Writes a result, as it is, to a file or to standard output.
 pub fn write(path: Option<&Path>, text: &str) -> Result<()> {
     match path {
-        Some(path) if !is_standard_output(path) => ffrf_model::write_file(path, text.as_bytes())
-            .with_context(|| format!("{}: cannot be written", path.display())),
-        _ => print(io::stdout().lock(), text).context("standard output"),
+        Some(path) => write_bytes(path, text.as_bytes()),
+        None => print(io::stdout().lock(), text.as_bytes()).context("standard output"),
     }
+}
+
+/// Writes a result of bytes, as it is, to a file or to standard output.
+pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
+    if is_standard_output(path) {
+        return print(io::stdout().lock(), bytes).context("standard output");
+    }
+    ffrf_model::write_file(path, bytes).with_context(|| format!("{}: cannot be written", path.display()))
 }
 
 /// Prints a report for people on standard output.
 pub fn say(text: &str) -> Result<()> {
-    print(io::stdout().lock(), &printable(text)).context("standard output")
+    print(io::stdout().lock(), printable(text).as_bytes()).context("standard output")
 }
 
 /// Prints a report beside a result: on standard output, or on standard error if the result goes to standard output.
@@ -43,25 +50,16 @@ fn is_standard_output(path: &Path) -> bool {
     ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| path == Path::new(name))
 }
 
-fn print(mut stream: impl Write, text: &str) -> io::Result<()> {
-    match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
+fn print(mut stream: impl Write, bytes: &[u8]) -> io::Result<()> {
+    match stream.write_all(bytes).and_then(|()| stream.flush()) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }
 }
 
-/// The text with control characters as `\u{1b}`, and those that reverse the direction of writing as well.
+/// The lines of the text, each as [`ffrf_model::printable`] shows it.
 fn printable(text: &str) -> String {
-    let mut printable = String::with_capacity(text.len());
-    for character in text.chars() {
-        let turns = matches!(character, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-        if turns || (character.is_control() && character != '\n') {
-            printable.extend(character.escape_unicode());
-        } else {
-            printable.push(character);
-        }
-    }
-    printable
+    text.split('\n').map(ffrf_model::printable).collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
@@ -69,9 +67,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn control_characters_are_shown_and_not_obeyed() {
-        let text = "a\u{1b}[31m\r\u{9b}2J\u{7f}\u{202e}\tb\nÄ²";
-        assert_eq!(printable(text), "a\\u{1b}[31m\\u{d}\\u{9b}2J\\u{7f}\\u{202e}\\u{9}b\nÄ²");
+    fn lines_stay_and_other_control_characters_are_shown() {
+        assert_eq!(printable("a\u{1b}[31m\r\tb\nÄ²\n"), "a\\u{1b}[31m\\u{d}\\u{9}b\nÄ²\n");
     }
 
     #[test]
@@ -85,7 +82,7 @@ mod tests {
                 Ok(())
             }
         }
-        print(Fails(ErrorKind::BrokenPipe), "text").unwrap();
-        print(Fails(ErrorKind::StorageFull), "text").unwrap_err();
+        print(Fails(ErrorKind::BrokenPipe), b"text").unwrap();
+        print(Fails(ErrorKind::StorageFull), b"text").unwrap_err();
     }
 }

@@ -9,9 +9,12 @@ use clap::Args;
 pub struct Simulate {
     /// Scene file (TOML).
     pub scene: PathBuf,
-    /// Write samples to this file (CSV).
+    /// Write samples to this file: .csv, .npz or .parquet.
     #[arg(short, long, required_unless_present = "check")]
     pub output: Option<PathBuf>,
+    /// Draw sensors, energies and drift over time to this file (SVG).
+    #[arg(long, value_name = "PLOT.svg", conflicts_with = "check")]
+    pub plot: Option<PathBuf>,
     /// Explain the scene and do not simulate: degrees of freedom, redundant rows, initial residuals.
     #[arg(long)]
     pub check: bool,

@@ -23,7 +23,9 @@ pub struct SimulationTable {
     pub tolerance: Option<f64>,
     /// Name of the integrator; `rk4` if nothing is said, `dopri5` with a tolerance.
     pub integrator: Option<String>,
-    /// Treatment of the constraints; `projection` if nothing is said.
+    /// ρ∞ of the generalised-α method.
+    pub rho_infinity: Option<f64>,
+    /// Treatment of the constraints; what goes best with the integrator if nothing is said.
     pub constraints: Option<String>,
     /// Gravity. Units: m/s². Frame: inertial.
     #[serde(default)]

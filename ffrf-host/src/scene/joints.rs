@@ -98,10 +98,9 @@ pub(super) fn triad(
     let Some(body) = attachment.body else {
         return MarkerMotion::fixed(attachment.position, attachment.orientation);
     };
-    let mut motion =
+    let motion =
         PlacedMarker::new(&bodies[body].markers[attachment.marker], &states[body]).motion(&states[body]);
-    motion.orientation *= attachment.orientation;
-    motion
+    motion.turned(&attachment.orientation)
 }
 
 fn kind(key: &str, table: &JointTable, ends: &[MarkerMotion; 2]) -> Result<JointKind, SceneError> {

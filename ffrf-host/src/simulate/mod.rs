@@ -5,9 +5,11 @@ mod check;
 mod run;
 mod sample;
 mod saved_state;
+mod spin;
 
 pub use advance::Advance;
 pub use check::{SceneCheck, check};
 pub use run::{Progress, SimulationError, Summary, simulate};
 pub use sample::{Sample, header};
 pub use saved_state::{BodyState, SavedState, StateError};
+pub use spin::SpinWarning;

@@ -35,9 +35,7 @@ impl<T: RealField + Copy> Attachment<T> {
         let Some(port) = self.body.and_then(|body| ports.port(body)) else {
             return MarkerMotion::fixed(self.position, self.orientation);
         };
-        let mut motion = port.marker_motion(self.marker);
-        motion.orientation *= self.orientation;
-        motion
+        port.marker_motion(self.marker).turned(&self.orientation)
     }
 }
 

@@ -113,6 +113,35 @@ impl Node<'_> {
         *unknowns.get_mut(self.step.unknowns..)?.first_chunk_mut::<N>()? = own;
         Some(())
     }
+    /// Subtracts the product of this node's rows and columns, not factored, with `unknowns` from `right`.
+    pub(super) fn subtract_product<const N: usize, T: RealField + Copy>(
+        &self,
+        matrix: &[T],
+        unknowns: &[T],
+        right: &mut [T],
+    ) -> Option<()> {
+        let (diagonal, mut rows) =
+            matrix.get(self.step.diagonal..)?.as_chunks::<N>().0.split_first_chunk::<N>()?;
+        let own = unknowns.get(self.step.unknowns..)?.first_chunk::<N>()?;
+        let mut left = *right.get(self.step.unknowns..)?.first_chunk::<N>()?;
+        for (entry, row) in left.iter_mut().zip(diagonal) {
+            *entry -= product(row, own);
+        }
+        for coupling in self.couplings {
+            let (block, others) = rows.split_at_checked(coupling.size)?;
+            rows = others;
+            let known = unknowns.get(coupling.unknowns..)?;
+            let later = right.get_mut(coupling.unknowns..)?;
+            for ((row, other), entry) in block.iter().zip(known).zip(later) {
+                *entry -= product(row, own);
+                for (entry, factor) in left.iter_mut().zip(row) {
+                    *entry -= *factor * *other;
+                }
+            }
+        }
+        *right.get_mut(self.step.unknowns..)?.first_chunk_mut::<N>()? = left;
+        Some(())
+    }
 }
 
 /// L D Lᵀ in place: the unit triangle L below the diagonal, D⁻¹ on it. Gives D⁻¹ and the smallest relative pivot.

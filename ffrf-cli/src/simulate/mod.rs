@@ -1,5 +1,7 @@
 //! `ffrf simulate`: a scene file to samples over time.
 
+mod panels;
+
 use std::fmt::Write as _;
 use std::io::IsTerminal;
 use std::path::Path;
@@ -11,7 +13,8 @@ use ffrf_host::simulate::{Progress, SavedState, SceneCheck, Summary, check, head
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::arguments::Simulate;
-use crate::output;
+use crate::results::{Columns, Format};
+use crate::{output, plots};
 
 /// Runs the command.
 pub fn run(arguments: &Simulate) -> Result<()> {
@@ -21,37 +24,57 @@ pub fn run(arguments: &Simulate) -> Result<()> {
         let found = check(&scene).with_context(|| format!("{}", path.display()))?;
         return output::say(&describe_check(&scene, &found));
     }
+    // what cannot be written is refused before the work is done
+    let format = arguments.output.as_deref().map(Format::of).transpose()?;
+    if let Some(plot) = &arguments.plot {
+        refuse_other_pictures(plot)?;
+    }
     let saved = arguments.load_state.as_deref().map(read_state).transpose()?;
-    let mut text = header(&scene).join(",");
-    text.push('\n');
+    let mut columns = Columns { names: header(&scene), rows: Vec::new() };
     let begin = Instant::now();
     let teller = Teller::new(begin);
     let result = simulate(
         &scene,
         saved.as_ref(),
         |sample| {
-            // 17 significant digits: every number comes back to its last bit
-            let _ = write!(text, "{:.16e}", sample.time);
-            for value in &sample.values {
-                let _ = write!(text, ",{value:.16e}");
-            }
-            text.push('\n');
+            let mut row = Vec::with_capacity(1 + sample.values.len());
+            row.push(sample.time);
+            row.extend_from_slice(&sample.values);
+            columns.rows.push(row);
             Ok(())
         },
         |progress| teller.tell(progress),
     );
     teller.end();
     let summary = result.with_context(|| format!("{}", path.display()))?;
-    if let Some(target) = &arguments.output {
-        output::write(Some(target), &text)?;
-        let report = describe(&summary, begin.elapsed(), scene.settings.duration);
-        output::say_beside(target, &format!("{report}written: {}\n", target.display()))?;
+    let mut report = describe(&summary, begin.elapsed(), scene.settings.duration);
+    let written = |target: &Path, report: &mut String| {
+        let _ = writeln!(report, "written: {}", target.display());
+    };
+    if let Some(target) = &arguments.plot {
+        let times: Vec<f64> = columns.column(0).collect();
+        let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let picture = plots::draw_histories(&title, "time / s", &times, &panels::panels(&scene, &columns))?;
+        output::write(Some(target), &picture)?;
+        written(target, &mut report);
+    }
+    if let (Some(target), Some(format)) = (&arguments.output, format) {
+        output::write_bytes(target, &format.encode(&columns)?)?;
+        written(target, &mut report);
+        output::say_beside(target, &report)?;
     }
     if let Some(target) = &arguments.save_state {
         let state = serde_json::to_string_pretty(&summary.end)?;
         output::write(Some(target), &format!("{state}\n"))?;
     }
     Ok(())
+}
+
+fn refuse_other_pictures(path: &Path) -> Result<()> {
+    match path.extension() {
+        Some(ending) if ending == "svg" => Ok(()),
+        _ => anyhow::bail!("{}: expected the name of a picture that ends in .svg", path.display()),
+    }
 }
 
 fn read_state(path: &Path) -> Result<SavedState> {
@@ -80,6 +103,12 @@ fn describe(summary: &Summary, elapsed: Duration, duration: f64) -> String {
         "largest drift of a step before it was corrected: {:.3e} (m or rad), {:.3e} per second",
         advance.drift.position, advance.drift.velocity
     );
+    for warning in &summary.spin {
+        let _ = writeln!(text, "warning: {warning}");
+    }
+    if advance.iterations > 0 {
+        let _ = writeln!(text, "most iterations of a step: {}", advance.iterations);
+    }
     text
 }
 

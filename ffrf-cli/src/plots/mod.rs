@@ -1,0 +1,34 @@
+//! Pictures as SVG, with one set of colours.
+
+mod histories;
+mod transfer;
+
+use plotters::prelude::{IntoFont as _, RGBColor, TextStyle};
+
+pub use histories::{Panel, draw as draw_histories};
+pub use transfer::draw as draw_transfer;
+
+/// Axes, frames and text.
+const GREY: RGBColor = RGBColor(60, 60, 60);
+/// Light lines of a mesh.
+const PALE: RGBColor = RGBColor(228, 228, 228);
+/// Colours of lines, told apart by people who see colours differently. Source: Okabe and Ito, Color universal design (2008).
+const LINES: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(86, 180, 233),
+    RGBColor(230, 159, 0),
+    RGBColor(0, 0, 0),
+];
+
+/// The colour of line `index`.
+fn colour(index: usize) -> RGBColor {
+    LINES[index % LINES.len()]
+}
+
+/// Text of a size in pixels.
+fn text(size: i32) -> TextStyle<'static> {
+    ("sans-serif", size).into_font().color(&GREY)
+}
