@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod campbell;
 mod component_modes;
 mod describe;
 mod evaluate;
@@ -16,6 +17,7 @@ pub mod generated_kernels;
 mod inspect;
 pub mod lane_body;
 pub mod lane_kernels;
+mod linearise;
 mod modes;
 mod output;
 mod plots;
@@ -54,6 +56,8 @@ pub fn run() -> ExitCode {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Linearise(arguments) => linearise::run(&arguments),
+        Command::Campbell(arguments) => campbell::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

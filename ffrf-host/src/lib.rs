@@ -9,6 +9,7 @@
 //! [`HostMechanism`] its `Assembly`, so joints, forces and integrators are the very same code as on a target. No printing.
 #![forbid(unsafe_code)]
 
+pub mod analysis;
 pub mod body;
 pub mod mechanism;
 pub mod scene;

@@ -27,7 +27,7 @@ pub fn run(arguments: &Simulate) -> Result<()> {
     // what cannot be written is refused before the work is done
     let format = arguments.output.as_deref().map(Format::of).transpose()?;
     if let Some(plot) = &arguments.plot {
-        refuse_other_pictures(plot)?;
+        plots::refuse_other_pictures(plot)?;
     }
     let saved = arguments.load_state.as_deref().map(read_state).transpose()?;
     let mut columns = Columns { names: header(&scene), rows: Vec::new() };
@@ -68,13 +68,6 @@ pub fn run(arguments: &Simulate) -> Result<()> {
         output::write(Some(target), &format!("{state}\n"))?;
     }
     Ok(())
-}
-
-fn refuse_other_pictures(path: &Path) -> Result<()> {
-    match path.extension() {
-        Some(ending) if ending == "svg" => Ok(()),
-        _ => anyhow::bail!("{}: expected the name of a picture that ends in .svg", path.display()),
-    }
 }
 
 fn read_state(path: &Path) -> Result<SavedState> {

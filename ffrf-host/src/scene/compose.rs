@@ -23,6 +23,8 @@ pub struct Scene {
     pub body_names: Vec<String>,
     /// Names of the connections: those of joints, and of their drives.
     pub connection_names: Vec<String>,
+    /// Names of the force elements.
+    pub element_names: Vec<String>,
     /// What is measured.
     pub sensors: Vec<Sensor>,
     /// How it is simulated.
@@ -78,12 +80,21 @@ impl Scene {
             check_name("sensors", name)?;
             sensors.push(sensor(name, table, &mut named, &joint_connections)?);
         }
+        let element_names = file.forces.iter().map(|(name, _)| name.clone()).collect();
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
             .with_treatment(settings.treatment);
-        Ok(Self { mechanism, initial: states, body_names, connection_names, sensors, settings })
+        Ok(Self {
+            mechanism,
+            initial: states,
+            body_names,
+            connection_names,
+            element_names,
+            sensors,
+            settings,
+        })
     }
 
     /// The initial state with the joints met, and how far the file's state was from them (position, velocity).

@@ -9,5 +9,6 @@ mod saved_state;
 pub use advance::Advance;
 pub use check::{SceneCheck, check};
 pub use run::{Progress, SimulationError, Summary, simulate};
+pub(crate) use sample::read as read_sensor;
 pub use sample::{Sample, header};
 pub use saved_state::{BodyState, SavedState, StateError};

@@ -65,7 +65,7 @@ pub enum StateError {
 }
 
 impl SavedState {
-    pub(super) fn new(
+    pub(crate) fn new(
         scene: &Scene,
         time: f64,
         next_step: f64,
@@ -87,8 +87,8 @@ impl SavedState {
         Self { time, next_step, angles: angles.to_vec(), bodies: bodies.collect() }
     }
 
-    /// The states of the bodies of a scene, bit by bit.
-    pub(super) fn states(&self, scene: &Scene) -> Result<Vec<State<HostModal>>, StateError> {
+    /// The states of the bodies of a scene, bit by bit. Errors: see [`StateError`].
+    pub fn states(&self, scene: &Scene) -> Result<Vec<State<HostModal>>, StateError> {
         if let Some(body) = self.bodies.keys().find(|name| !scene.body_names.contains(name)) {
             return Err(StateError::Extra { body: body.clone() });
         }

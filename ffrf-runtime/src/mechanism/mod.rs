@@ -2,6 +2,7 @@
 
 mod assembly;
 mod body_port;
+mod cast;
 mod connection;
 mod constraints;
 mod elimination;
