@@ -8,7 +8,7 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-pub use ffrf_macros::flexible_body;
+pub use ffrf_macros::{flexible_body, mechanism};
 pub use ffrf_runtime::*;
 
 #[doc(hidden)]

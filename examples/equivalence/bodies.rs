@@ -40,6 +40,7 @@ pub fn three_bars() -> Result<FeModel, Box<dyn Error>> {
         fixed_dofs: Vec::new(),
         elements: Vec::new(),
         sources: Vec::new(),
+        notes: Vec::new(),
     })
 }
 

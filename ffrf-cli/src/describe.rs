@@ -1,42 +1,63 @@
 //! A reduced body in words and numbers.
 
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use ffrf_model::{CheckReport, ModeKind, ReducedBody};
+use ffrf_model::{CheckReport, ModeKind, ReducedBody, Units, printable};
 
-/// Title, inertia, provenance, markers.
+/// Title, inertia, highest frequency and largest stable step, markers, provenance.
 pub fn body(body: &ReducedBody) -> String {
     let mut text = String::new();
+    let unit = UnitLabels::of(body);
     let inertia = &body.inertia;
-    let tensor = inertia.inertia_tensor();
-    let [ax, ay, az] = inertia.centre_of_mass();
-    line(&mut text, "title", &body.title);
-    line(&mut text, "units", &body.units);
-    line(&mut text, "mass", &format!("{}", Number(inertia.mass)));
-    line(&mut text, "centre of mass", &format!("{} {} {}", Number(ax), Number(ay), Number(az)));
-    for (label, row) in ["inertia about origin", "", ""].into_iter().zip(tensor) {
-        line(&mut text, label, &format!("{} {} {}", Number(row[0]), Number(row[1]), Number(row[2])));
+    line(&mut text, "title", &printable(&body.title));
+    line(&mut text, "units", &unit.summary(body));
+    line(&mut text, "mass", &unit.with(&[inertia.mass], "M"));
+    line(&mut text, "centre of mass", &unit.with(&inertia.centre_of_mass(), "L"));
+    for (label, row) in ["inertia about origin", "", ""].into_iter().zip(inertia.inertia_tensor()) {
+        line(&mut text, label, &unit.with(&row, "M L^2"));
     }
     line(&mut text, "modes", &body.mode_count().to_string());
+    stability(&mut text, body, &unit);
     for marker in &body.markers {
-        let [x, y, z] = marker.position;
         let nodes = match marker.nodes.as_slice() {
             [node] => format!("node {node}"),
             nodes => format!("{} nodes", nodes.len()),
         };
-        let place = format!("{} ({nodes}) at {} {} {}", marker.name, Number(x), Number(y), Number(z));
-        line(&mut text, "marker", &place);
+        let place = unit.with(&marker.position, "L");
+        line(&mut text, "marker", &format!("{} ({nodes}) at {place}", printable(&marker.name)));
     }
     for source in &body.provenance.sources {
-        let hash = source.sha256.get(..12).unwrap_or(&source.sha256);
-        line(&mut text, "source", &format!("{}: {} (sha256 {hash})", source.role, source.file));
+        let hash: String = source.sha256.chars().take(12).collect();
+        let (role, file, hash) = (printable(&source.role), printable(&source.file), printable(&hash));
+        line(&mut text, "source", &format!("{role}: {file} (sha256 {hash})"));
+    }
+    for note in &body.provenance.notes {
+        line(&mut text, "note", &printable(note));
     }
     text
 }
 
+/// The highest frequency that the modes retain, and the step that it allows.
+fn stability(text: &mut String, body: &ReducedBody, unit: &UnitLabels) {
+    let Some(frequency) = body.highest_frequency() else {
+        line(text, "highest frequency", "not defined: the masses of the modes are not positive");
+        return;
+    };
+    let free = "of the free body with these modes";
+    line(text, "highest frequency", &format!("{} {free}", unit.frequency(frequency / TAU)));
+    let step = match body.largest_stable_step() {
+        Some(step) if step.is_finite() => unit.with(&[step], "T"),
+        _ => "any".to_owned(),
+    };
+    let method = "for the classical Runge-Kutta method (step_rk4) and small motions; step_linearly_implicit has no limit";
+    line(text, "largest stable step", &format!("{step} {method}"));
+}
+
 /// Kind, frequency, modal mass, stiffness and damping of each mode.
 pub fn mode_table(body: &ReducedBody) -> String {
-    let mut text = String::from("mode  kind       frequency [Hz]   modal mass     stiffness      damping\n");
+    let heading = format!("frequency [{}]", if Units::of(&body.units).is_some() { "Hz" } else { "1/time" });
+    let mut text = format!("mode  kind       {heading:<18}  modal mass     stiffness      damping\n");
     let modal_mass = body.inertia.modal_mass();
     for (mu, mode) in body.modes.iter().enumerate() {
         let kind = match mode.kind {
@@ -51,7 +72,7 @@ pub fn mode_table(body: &ReducedBody) -> String {
         let frequency = mode.frequency_hz.map_or_else(|| "-".to_owned(), |hertz| format!("{hertz:.6}"));
         let _ = writeln!(
             text,
-            "{:>4}  {kind:<9}  {frequency:>14}   {:<13} {:<13} {}",
+            "{:>4}  {kind:<10} {frequency:>18}  {:<13}  {:<13}  {}",
             mu + 1,
             Number(modal_mass[mu][mu]),
             Number(body.stiffness[mu][mu]),
@@ -73,6 +94,43 @@ pub fn checks(report: &CheckReport) -> String {
 
 fn line(text: &mut String, label: &str, value: &str) {
     let _ = writeln!(text, "{label:<22}{value}");
+}
+
+/// The units behind the numbers of a body, if they are known.
+struct UnitLabels(Option<Units>);
+
+impl UnitLabels {
+    fn of(body: &ReducedBody) -> Self {
+        Self(Units::of(&body.units))
+    }
+
+    fn summary(&self, body: &ReducedBody) -> String {
+        match self.0 {
+            Some(_) => printable(&body.units),
+            None => format!(
+                "{}: numbers are in the units of the files that the body was made from (see --units of `ffrf reduce`)",
+                printable(&body.units)
+            ),
+        }
+    }
+
+    /// Numbers and their unit, of a dimension written with M, L and T; without a unit where none is known.
+    fn with(&self, numbers: &[f64], dimension: &str) -> String {
+        let numbers: Vec<String> = numbers.iter().map(|&number| Number(number).to_string()).collect();
+        let unit = self.0.map_or_else(String::new, |units| {
+            let (mass, length, time) = (units.mass_name(), units.length_name(), units.time_name());
+            dimension.replace('M', mass).replace('L', length).replace('T', time)
+        });
+        format!("{} {unit}", numbers.join(" ")).trim_end().to_owned()
+    }
+
+    /// A frequency, given in cycles per unit of time.
+    fn frequency(&self, cycles: f64) -> String {
+        match self.0 {
+            Some(units) => format!("{} Hz", Number(cycles / units.time())),
+            None => format!("{} per unit of time", Number(cycles)),
+        }
+    }
 }
 
 /// A number in six digits, with an exponent where that is shorter to read.

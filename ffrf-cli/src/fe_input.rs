@@ -7,9 +7,10 @@ use anyhow::{Result, bail};
 use ffrf_fe::import::{Import, ImportOptions, ModelFiles, NodeSource, read_model_with};
 use ffrf_fe::units::{Conversion, implausible};
 use ffrf_fe::{FeModel, Nodes};
-use ffrf_model::Units;
+use ffrf_model::{Units, printable};
 
 use crate::arguments::FeFiles;
+use crate::output;
 
 impl FeFiles {
     /// File name of the node table, without its folder and extension.
@@ -58,7 +59,7 @@ pub fn read(files: &FeFiles) -> Result<FeModel> {
     };
     let Import { mut model, notes } = read_model_with(&files, &options)?;
     for note in &notes {
-        eprintln!("{note}");
+        output::complain(&format!("{note}\n"));
     }
     if let Some(conversion) = conversion {
         conversion.model(&mut model);
@@ -69,8 +70,16 @@ pub fn read(files: &FeFiles) -> Result<FeModel> {
 /// Warns on standard error of numbers that no solid has in the units of the body.
 pub fn warn_of_units(model: &FeModel, units: Option<Units>, frequency: Option<f64>) {
     for remark in implausible(model, units, frequency) {
-        eprintln!("warning: {remark}");
+        output::complain(&format!("warning: {remark}\n"));
     }
+}
+
+/// What frequencies in tables are in, where the unit of time is not the second.
+pub fn remark_on_time(units: Units) -> Option<String> {
+    let time = units.time_name();
+    (units.time() != 1.0).then(|| {
+        format!("the unit of time is {time}: read Hz in the tables of modes as cycles per {time}; the body holds hertz")
+    })
 }
 
 /// What was found in the files, in a few lines.
@@ -129,7 +138,7 @@ fn known_sets(nodes: &Nodes) -> String {
     if nodes.sets.is_empty() {
         return "the files have none".to_owned();
     }
-    let names: Vec<&str> = nodes.sets.keys().map(String::as_str).collect();
+    let names: Vec<String> = nodes.sets.keys().map(|name| printable(name)).collect();
     format!("the files have {}", names.join(", "))
 }
 

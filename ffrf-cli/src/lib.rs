@@ -6,6 +6,7 @@
 //! the file named by `-o`; errors and progress go to standard error.
 #![forbid(unsafe_code)]
 
+mod animation;
 mod arguments;
 mod campbell;
 mod component_modes;

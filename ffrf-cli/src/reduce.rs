@@ -15,6 +15,9 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     let mut model = fe_input::read(&arguments.files)?;
     let say = |text: &str| output::say_beside(&arguments.output, text);
     say(&format!("{}\n", fe_input::describe(&model)))?;
+    if let Some(remark) = arguments.files.body_units().and_then(fe_input::remark_on_time) {
+        say(&format!("{remark}\n"))?;
+    }
     let mut options = options(arguments, &model.nodes)?;
     if !arguments.interfaces.interfaces.is_empty() {
         let (body, text) =

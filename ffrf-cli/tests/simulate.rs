@@ -129,3 +129,20 @@ fn what_is_wrong_in_a_scene_is_named() {
         assert!(!output.exists());
     }
 }
+
+#[test]
+fn an_explicit_step_that_is_too_long_is_told_the_longest() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(scene("flexible_pendulum.toml")).unwrap();
+    let text =
+        text.replace("linearly_implicit", "rk4").replace("\"../conrod", &format!("\"{}", scene("../conrod")));
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, text).unwrap();
+    let model = ffrf_model::ReducedBody::read(scene("../conrod.ffrf.json")).unwrap();
+    let limit = model.largest_stable_step().unwrap();
+    let output = folder.path().join("out.csv");
+    let run = ffrf(&["simulate", &file.display().to_string(), "-o", &output.display().to_string()]);
+    let said = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert_eq!(run.status.code(), Some(1), "{said}");
+    assert!(said.contains(&format!("explicit steps of at most {limit:.3e} s")), "{said}");
+}

@@ -20,7 +20,7 @@ pub enum FeError {
     #[error(transparent)]
     Model(#[from] ffrf_model::ModelError),
     /// The body of mode shapes that the user supplied contradicts itself, such as modes that repeat each other.
-    #[error("{file}: {fault}")]
+    #[error("{}: {fault}", ffrf_model::printable(file))]
     UserModes {
         /// Name of the file with the mode shapes.
         file: String,

@@ -25,6 +25,8 @@ pub struct FeModel {
     pub elements: Vec<Element>,
     /// The files read, with hashes.
     pub sources: Vec<SourceFile>,
+    /// What the import took for granted or found odd, for the provenance of bodies: files without their folders.
+    pub notes: Vec<String>,
 }
 
 /// Node table: row `n` of every field is node `n`.

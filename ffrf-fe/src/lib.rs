@@ -15,6 +15,7 @@ pub mod modes;
 pub mod oracle;
 pub mod reduction;
 mod sparse;
+mod tolerances;
 pub mod units;
 
 pub use error::FeError;

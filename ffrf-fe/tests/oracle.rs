@@ -46,6 +46,7 @@ fn model() -> (FeModel, ModeBasis) {
         fixed_dofs: vec![],
         elements: vec![],
         sources: vec![],
+        notes: vec![],
     };
     let basis = ModeBasis {
         shapes: Mat::from_fn(3 * NODES, MODES, |row, column| number(40 + 7 * row + 31 * column)),

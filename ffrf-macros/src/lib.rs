@@ -1,8 +1,9 @@
-//! The `flexible_body!` macro: parse, read the model, call the generator, report errors with their places.
+//! The macros `flexible_body!` and `mechanism!`: parse, validate, generate, report errors with their places.
 #![forbid(unsafe_code)]
 
 mod expand;
 mod fallback;
+mod mechanism;
 mod parse;
 mod validate;
 mod values;
@@ -62,4 +63,10 @@ use proc_macro::TokenStream;
 #[proc_macro]
 pub fn flexible_body(input: TokenStream) -> TokenStream {
     expand::flexible_body(input.into()).into()
+}
+
+/// Composes bodies, joints, drives, forces and sensors into one mechanism of static size.
+#[proc_macro]
+pub fn mechanism(input: TokenStream) -> TokenStream {
+    mechanism::mechanism(input.into()).into()
 }

@@ -52,6 +52,9 @@ pub struct Provenance {
     pub tool_version: String,
     /// The files that the body was made from.
     pub sources: Vec<SourceFile>,
+    /// What the import took for granted or found odd, such as the form in which a list without a header was read.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
 }
 
 /// One file that a body was made from.
@@ -72,7 +75,7 @@ pub struct SourceFile {
 pub struct Mode {
     /// How the mode was made.
     pub kind: ModeKind,
-    /// Natural frequency in hertz, if the mode is an eigenmode.
+    /// Natural frequency, if the mode is an eigenmode. Units: Hz; cycles per unit of time where the units are not known.
     pub frequency_hz: Option<f64>,
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::eigenvalues::smallest_eigenvalue;
 use crate::independence::{Independence, dependent_modes, independence};
+use crate::text::printable;
 use crate::tolerances::{INDEPENDENCE, NEGATIVE_EIGENVALUE, RIGID_PIVOT, SYMMETRY};
 use crate::{Inertia, ModelError, ReducedBody};
 
@@ -48,7 +49,7 @@ impl Check {
 
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {:.3e}, must be {}", self.subject, self.measured, self.limit)
+        write!(f, "{}: {:.3e}, must be {}", printable(&self.subject), self.measured, self.limit)
     }
 }
 

@@ -1,15 +1,18 @@
 //! The error type of this crate.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::check::Check;
+use crate::text::printable;
 
 /// What can be wrong with a reduced body or with its file.
+///
+/// What a message quotes of a file is [`printable`].
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelError {
     /// The file cannot be read or written.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {source}", shown(path))]
     Io {
         /// The file.
         path: PathBuf,
@@ -17,7 +20,7 @@ pub enum ModelError {
         source: std::io::Error,
     },
     /// The content of a file is at fault.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {source}", shown(path))]
     File {
         /// The file.
         path: PathBuf,
@@ -25,7 +28,7 @@ pub enum ModelError {
         source: Box<ModelError>,
     },
     /// The text is not JSON, e.g. `{"title": }`.
-    #[error("line {line}, column {column}: {message}")]
+    #[error("line {line}, column {column}: {}", printable(message))]
     Syntax {
         /// Line number from 1.
         line: usize,
@@ -43,7 +46,7 @@ pub enum ModelError {
         known: u32,
     },
     /// A field is missing, unknown, or of the wrong type, e.g. `"mass": "heavy"`.
-    #[error("{field}: {message} (line {line}, column {column})")]
+    #[error("{}: {} (line {line}, column {column})", printable(field), printable(message))]
     Field {
         /// Full path of the field, e.g. `inertia.mode_mode_moment[3][1]`.
         field: String,
@@ -100,6 +103,10 @@ pub enum ModelError {
         /// The checks that failed, with their measured numbers and limits.
         failures: Vec<Check>,
     },
+}
+
+fn shown(path: &Path) -> String {
+    printable(&path.to_string_lossy())
 }
 
 fn list(failures: &[Check]) -> String {

@@ -17,6 +17,7 @@ mod numbers;
 mod output;
 mod shape;
 mod stable_step;
+mod text;
 mod tolerances;
 mod units;
 
@@ -26,4 +27,5 @@ pub use error::ModelError;
 pub use inertia::{Inertia, Matrix3, Vector3};
 pub use mode_selection::ModeSelection;
 pub use output::write_file;
+pub use text::printable;
 pub use units::{UNKNOWN_UNITS, Units, UnitsError};

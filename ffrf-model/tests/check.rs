@@ -157,7 +157,8 @@ fn modes_that_are_dependent_only_together_are_named() {
     };
     assert_eq!(failure(1e-3), None);
     let first = (0..200).find_map(|k| failure(1e-3 * 0.95_f64.powi(k))).unwrap();
-    assert!(first.contains(" is a combination of modes 1, 2)"), "{first}");
+    // The last one may hold a share of the one before as well.
+    assert!(first.contains(" is a combination of modes 1, 2"), "{first}");
 }
 
 #[test]

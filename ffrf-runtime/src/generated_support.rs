@@ -3,3 +3,4 @@
 pub use crate::invariants::checks;
 pub use crate::lanes;
 pub use crate::math::*;
+pub use crate::mechanism::generated as mechanism;

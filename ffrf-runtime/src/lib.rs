@@ -4,7 +4,8 @@
 //!   [`Prepared`] serves forces, constraints and outputs; [`Observables`] and [`DenseForms`] are what can be seen of it;
 //!   [`FreeBody`] is a body with [`State`] and time; [`Marker`] is a point where forces act and joints hold.
 //! - [`forces`]: every [`Load`].
-//! - [`integrators`]: [`step_rk4`] (explicit, order 4), [`step_linearly_implicit`] (stiff modes, order 2), for every [`System`].
+//! - [`integrators`]: [`step_rk4`] (explicit, order 4), [`step_linearly_implicit`] (stiff modes, order 2) and others, for
+//!   every [`System`].
 //! - [`forms`] makes the inertial and the Euler-parameter form of the equations out of the kernels' one.
 //! - [`rotation`] states the one convention of rotations.
 //! - [`InvariantError`] is what `check` of a body says whose invariants come at run time.
@@ -49,8 +50,10 @@ pub use body::{
 };
 pub use forces::{Frame, Gravity, Load, MarkerLoad};
 pub use integrators::{
-    ControlledStep, Drift, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
-    step_dormand_prince, step_linearly_implicit, step_rk4, step_symplectic_euler, try_dormand_prince,
+    AlphaMemory, ConservingSystem, ControlledStep, Correction, Drift, EnergyMomentum, GeneralisedAlpha,
+    ImplicitSystem, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
+    step_dormand_prince, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
+    step_symplectic_euler, try_dormand_prince,
 };
 pub use invariants::{InvariantError, InvariantExpectation, InvariantIndex};
 pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};

@@ -121,6 +121,7 @@ impl Fields {
                 tool: "ffrf".to_owned(),
                 tool_version: "0.1.0".to_owned(),
                 sources: Vec::new(),
+                notes: Vec::new(),
             },
             modes: vec![Mode { kind: ModeKind::User, frequency_hz: None }; count],
             inertia: Inertia {

@@ -58,6 +58,7 @@ fn read(modes: usize, next: &mut impl FnMut() -> f64) -> ReducedBody {
             tool: "bodies.py".to_owned(),
             tool_version: "1".to_owned(),
             sources: Vec::new(),
+            notes: Vec::new(),
         },
         modes: (0..modes).map(|_| Mode { kind: ModeKind::User, frequency_hz: None }).collect(),
         inertia,

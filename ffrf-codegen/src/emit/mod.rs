@@ -11,6 +11,7 @@ mod banner;
 mod documentation;
 mod listing;
 mod rust;
+mod units;
 
 use ffrf_model::ReducedBody;
 

@@ -103,7 +103,7 @@ pub struct MechanismPlan {
     pub joints: Vec<JointPlace>,
     /// Pairs of joints on one flexible body.
     pub shared: Vec<SharedPlace>,
-    /// Number of values.
+    /// Number of values: the entries of the factors, and as many of the matrix.
     pub value_count: usize,
     /// Number of unknowns.
     pub unknown_count: usize,
@@ -210,7 +210,7 @@ impl MechanismPlan {
             bodies,
             joints,
             shared,
-            value_count,
+            value_count: 2 * value_count,
             unknown_count,
             attached_rows,
         })

@@ -7,12 +7,10 @@ use ffrf_model::{Vector3, is_valid_marker_name};
 
 use crate::FeModel;
 use crate::modes::{entries, symmetric_eigen};
+use crate::tolerances::SPREAD;
 
 use super::ComponentModeError;
 use super::small::subtract;
-
-/// Nodes closer to one line than this part of their extent do not define a rotation.
-const SPREAD: f64 = 1e-4;
 
 /// How the nodes of an interface are tied to its reference point.
 #[derive(Debug, Clone, PartialEq)]

@@ -37,6 +37,7 @@ pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Re
         fixed_dofs: Vec::new(),
         elements,
         sources: Vec::new(),
+        notes: Vec::new(),
         nodes,
     })
 }

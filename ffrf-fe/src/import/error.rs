@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use ffrf_model::printable;
+
 /// What can go wrong between a file and a finite-element model.
 ///
 /// Rows, columns and lines in messages count from 1, as in the files. What a message quotes of a file has its control
@@ -340,19 +342,6 @@ pub enum ImportError {
 }
 
 /// A path with its control characters escaped.
-fn shown(path: &Path) -> String {
+pub(super) fn shown(path: &Path) -> String {
     printable(&path.to_string_lossy())
-}
-
-/// A text of a file as messages quote it: control characters escaped.
-pub(crate) fn printable(text: &str) -> String {
-    let mut shown = String::with_capacity(text.len());
-    for character in text.chars() {
-        if character.is_control() {
-            shown.extend(character.escape_default());
-        } else {
-            shown.push(character);
-        }
-    }
-    shown
 }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::error::shown;
 use super::formats::{ansys, calculix, deck, matrix_file, numpy, text_table};
 use super::matrix::raw_matrix::RawMatrix;
 use super::model;
@@ -72,17 +73,9 @@ pub fn read_model_with(files: &ModelFiles, options: &ImportOptions) -> Result<Im
     let mut notes = Vec::new();
     let (mut table, sources) = read_nodes(&files.nodes, options, &mut notes)?;
     let troubles = std::mem::take(&mut table.troubles);
-    let calculix = matches!(files.nodes, NodeSource::Calculix(_));
-    let internal = troubles.into_iter().find(|trouble| match trouble.kind {
-        TroubleKind::InternalNodes => calculix,
-        TroubleKind::SingularMass => {
-            if calculix {
-                notes.push(singular_mass(trouble));
-            }
-            false
-        }
-    });
-    read_matrices(files, table, sources, options, notes).map_err(|fault| match internal {
+    let of_kind = |kind| troubles.iter().find(|trouble| trouble.kind == kind).cloned();
+    let (internal, singular) = (of_kind(TroubleKind::InternalNodes), of_kind(TroubleKind::SingularMass));
+    read_matrices(files, table, sources, singular, options, notes).map_err(|fault| match internal {
         Some(ElementTrouble { element, path, line, .. }) if is_about_rows(&fault) => {
             let reason =
                 "CalculiX writes rows for internal nodes that the deck does not know; use C3D8 or C3D20";
@@ -100,18 +93,45 @@ fn is_about_rows(fault: &ImportError) -> bool {
     )
 }
 
-fn singular_mass(ElementTrouble { element, path, line, .. }: &ElementTrouble) -> Note {
-    Note::warning(format!(
-        "{}:{line}: element type {element}: CalculiX integrates its mass with too few points, so that the mass matrix \
-         is singular and some of its modes have no mass; use C3D20 or C3D10",
-        path.display()
-    ))
+/// Warns of a mass matrix that gives some motions no mass, and names the element type that is known for it.
+///
+/// `vanishing` pivots were found, if they were computed. CalculiX integrates the mass of the type with too few points,
+/// Abaqus does not: beside a deck of Abaqus the pivots decide.
+fn warn_of_singular_mass(
+    element: Option<&ElementTrouble>,
+    vanishing: Option<usize>,
+    calculix: bool,
+    mass: &Path,
+    notes: &mut Vec<Note>,
+) {
+    let found = vanishing.filter(|&count| count > 0);
+    if let Some(ElementTrouble { element, path, line, .. }) = element
+        && (calculix || found.is_some() || vanishing.is_none())
+    {
+        let text = format!(
+            "element type {element} (line {line}): CalculiX integrates its mass with too few points, so that the mass \
+             matrix is singular and some of its modes have no mass; use C3D20 or C3D10"
+        );
+        notes.push(Note::warning(text).about(path));
+    } else if let Some(ElementTrouble { element, path, line, .. }) = element {
+        let text = format!(
+            "element type {element} (line {line}): its mass would be singular if CalculiX had made it; the one read here \
+             is not"
+        );
+        notes.push(Note::reading(text).about(path));
+    }
+    if let Some(count) = found {
+        let pivots = if count == 1 { "pivot vanishes" } else { "pivots vanish" };
+        let text = format!("the mass matrix is singular, {count} {pivots}: some motions have no mass");
+        notes.push(Note::warning(text).about(mass));
+    }
 }
 
 fn read_matrices(
     files: &ModelFiles,
     mut table: NodeTable,
     sources: Vec<(&'static str, Source)>,
+    singular: Option<ElementTrouble>,
     options: &ImportOptions,
     mut notes: Vec<Note>,
 ) -> Result<Import, ImportError> {
@@ -126,7 +146,7 @@ fn read_matrices(
     let row_map = beside("dof").map(|path| calculix::read_row_map(&path, &lookup, limit)).transpose()?;
     let Some(mass_path) = files.mass.clone().or_else(|| beside("mas")) else {
         let advice = match &files.nodes {
-            NodeSource::Calculix(deck) => format!("expected {}", deck.with_extension("mas").display()),
+            NodeSource::Calculix(deck) => format!("expected {}", shown(&deck.with_extension("mas"))),
             _ => "name it with --mass".to_owned(),
         };
         return Err(ImportError::MissingFile { role: "mass", advice });
@@ -148,6 +168,8 @@ fn read_matrices(
     }
     model::drop_unused_nodes(&mut table, &mut mass, stiffness.as_mut(), row_map.is_some(), &mut notes);
     let parts = model::assemble(&table, &mut mass, stiffness.as_mut(), options, &mut notes)?;
+    let calculix = matches!(files.nodes, NodeSource::Calculix(_));
+    warn_of_singular_mass(singular.as_ref(), parts.vanishing_mass, calculix, &mass_path, &mut notes);
 
     let mut hashed: Vec<_> = sources.into_iter().map(|(role, source)| source.finish(role)).collect();
     hashed.extend(row_map.map(|map| map.source.finish("degrees of freedom")));
@@ -161,6 +183,7 @@ fn read_matrices(
         fixed_dofs: parts.fixed_dofs,
         elements: table.elements,
         sources: hashed,
+        notes: notes.iter().map(Note::for_provenance).collect(),
     };
     Ok(Import { model, notes })
 }
@@ -198,10 +221,11 @@ fn read_nodes(
                     table = ansys::order_by_mapping(table, &mapping)?;
                     sources.push(("node mapping", mapping));
                 }
-                None => notes.push(Note::reading(format!(
-                    "{}: no --mapping is given, so the matrices are taken to be in the order of this table",
-                    nodes.display()
-                ))),
+                None => {
+                    let text =
+                        "no --mapping is given, so the matrices are taken to be in the order of this table";
+                    notes.push(Note::reading(text).about(nodes));
+                }
             }
             (table, sources)
         }

@@ -1,13 +1,20 @@
 //! What an import took for granted or found odd, for the user to read.
 
 use std::fmt;
+use std::path::{Path, PathBuf};
 
-/// A remark on files that were accepted. `Display` prints it with its weight in front.
+use ffrf_model::printable;
+
+use super::error::shown;
+
+/// A remark on files that were accepted. `Display` prints it with its weight in front, control characters escaped.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
     /// How much it matters.
     pub weight: Weight,
-    /// One sentence, naming the file.
+    /// The file that it is about, if it is about one.
+    pub path: Option<PathBuf>,
+    /// One sentence.
     pub text: String,
 }
 
@@ -22,12 +29,37 @@ pub enum Weight {
 
 impl Note {
     pub(crate) fn reading(text: impl Into<String>) -> Self {
-        Note { weight: Weight::Reading, text: text.into() }
+        Note { weight: Weight::Reading, path: None, text: text.into() }
     }
 
     pub(crate) fn warning(text: impl Into<String>) -> Self {
-        Note { weight: Weight::Warning, text: text.into() }
+        Note { weight: Weight::Warning, path: None, text: text.into() }
     }
+
+    /// The same note about a file.
+    pub(crate) fn about(self, path: &Path) -> Self {
+        Note { path: Some(path.to_path_buf()), ..self }
+    }
+
+    /// The note for the provenance of a body: the file without its folder, so that the same data gives the same body
+    /// everywhere.
+    pub(crate) fn for_provenance(&self) -> String {
+        let name = self.path.as_deref().map(file_name);
+        self.named(name.as_deref())
+    }
+
+    fn named(&self, file: Option<&str>) -> String {
+        let text = printable(&self.text);
+        match file {
+            Some(file) => format!("{file}: {text}"),
+            None => text,
+        }
+    }
+}
+
+/// The name of a file without its folder, as notes quote it.
+pub(crate) fn file_name(path: &Path) -> String {
+    printable(&path.file_name().unwrap_or_default().to_string_lossy())
 }
 
 impl fmt::Display for Note {
@@ -36,6 +68,7 @@ impl fmt::Display for Note {
             Weight::Reading => "note",
             Weight::Warning => "warning",
         };
-        write!(f, "{weight}: {}", self.text)
+        let file = self.path.as_deref().map(shown);
+        write!(f, "{weight}: {}", self.named(file.as_deref()))
     }
 }

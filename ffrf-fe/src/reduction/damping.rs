@@ -4,11 +4,9 @@ use faer::{Mat, MatRef};
 
 use crate::FeError;
 use crate::modes::{cholesky, generalised_eigen};
+use crate::tolerances::DIAGONAL;
 
 use super::{Damping, ReductionError};
-
-/// Off-diagonal entries below this part of the geometric mean of their diagonals make a matrix diagonal.
-const DIAGONAL: f64 = 1e-9;
 
 /// D_ff for a modal mass Θ_ff and a modal stiffness K_ff.
 ///

@@ -7,11 +7,10 @@ use ffrf_model::{Marker, Vector3};
 
 use crate::FeModel;
 use crate::modes::{entries, symmetric_eigen};
+use crate::tolerances::SPREAD;
 
 use super::{MarkerRequest, ReductionError};
 
-/// Nodes closer to one line than this part of their extent do not define a rotation.
-const SPREAD: f64 = 1e-4;
 /// How many of the nearest nodes give the rotation of a node that is coupled with none.
 const NEAREST: usize = 8;
 

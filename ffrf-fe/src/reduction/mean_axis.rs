@@ -2,8 +2,7 @@
 
 use ffrf_model::{Inertia, Matrix3, Mode, ModeKind};
 
-/// Round-off of the conditions, relative to the Gram scales √(m tr T_μμ) and √(tr T tr T_μμ), that is cleared.
-const ROUND_OFF: f64 = 1e-12;
+use crate::tolerances::MEAN_AXIS_ROUND_OFF;
 
 /// Clears b_μ and the antisymmetric part ϑ_μ of T_μ for computed free-free modes, component modes in mean axes among them.
 ///
@@ -17,8 +16,8 @@ pub(crate) fn clear(inertia: &mut Inertia, modes: &[Mode]) {
         let moment = &mut inertia.position_mode_moment[mu];
         let first = &mut inertia.modal_first_moment[mu];
         let odd = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| (moment[i][j] - moment[j][i]).abs());
-        let holds = first.iter().all(|b| b.abs() <= ROUND_OFF * translation * scale)
-            && odd.iter().all(|&x| x <= ROUND_OFF * position * scale);
+        let holds = first.iter().all(|b| b.abs() <= MEAN_AXIS_ROUND_OFF * translation * scale)
+            && odd.iter().all(|&x| x <= MEAN_AXIS_ROUND_OFF * position * scale);
         if matches!(mode.kind, ModeKind::FreeFree | ModeKind::Component) && holds {
             *first = [0.0; 3];
             *moment = [0, 1, 2].map(|i| [0, 1, 2].map(|j| 0.5 * moment[i][j] + 0.5 * moment[j][i]));

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use ffrf_model::{
-    Inertia, Mode, ModeKind, ModelError, Provenance, ReducedBody, SCHEMA_VERSION, UNKNOWN_UNITS,
+    Inertia, Mode, ModeKind, ModelError, Provenance, ReducedBody, SCHEMA_VERSION, UNKNOWN_UNITS, Units,
 };
 
 use crate::modes::ModeError;
@@ -53,8 +53,9 @@ pub fn reduce(
             tool: "ffrf".to_owned(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             sources: model.sources.clone(),
+            notes: model.notes.clone(),
         },
-        modes: basis.modes.clone(),
+        modes: in_hertz(&basis.modes, options.units),
         inertia,
         stiffness: rows(&stiffness),
         damping: rows(&damping),
@@ -64,6 +65,12 @@ pub fn reduce(
         Ok(()) => Ok(body),
         Err(fault) => Err(blame(fault, model, &basis.modes)),
     }
+}
+
+/// The modes with frequencies in hertz, given those in cycles per unit of time; as they are where units are not known.
+fn in_hertz(modes: &[Mode], units: Option<Units>) -> Vec<Mode> {
+    let time = units.map_or(1.0, |units| units.time());
+    modes.iter().map(|mode| Mode { frequency_hz: mode.frequency_hz.map(|f| f / time), ..*mode }).collect()
 }
 
 /// Names the file of the mode shapes if the user supplied them.

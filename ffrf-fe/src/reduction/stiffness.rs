@@ -5,16 +5,10 @@ use faer::{Accum, Mat, Par};
 use ffrf_model::ModeKind;
 
 use crate::modes::stiffness_times;
+use crate::tolerances::{MODAL_STIFFNESS_ASYMMETRY, RESIDUAL_COUPLING};
 use crate::{FeModel, ModeBasis};
 
 use super::ReductionError;
-
-/// Largest asymmetry of a given modal stiffness, relative to its largest entry: eight decimals in a text file.
-const ASYMMETRY: f64 = 1e-8;
-
-/// Largest coupling of two computed eigenmodes, relative to √(K_μμ K_νν), that is left out as the solver's residual:
-/// small enough for the elastic energy to stay within the 1e-12 that `ffrf verify` asks for.
-const RESIDUAL_COUPLING: f64 = 5e-13;
 
 /// ΨᵀKΨ or the modal stiffness given, symmetrised; diagonal for computed eigenmodes.
 ///
@@ -74,13 +68,13 @@ fn check(given: &Mat<f64>, modes: usize) -> Result<(), ReductionError> {
     for row in 0..modes {
         for column in 0..row {
             let (value, mirrored) = (given[(row, column)], given[(column, row)]);
-            if (value - mirrored).abs() > ASYMMETRY * largest {
+            if (value - mirrored).abs() > MODAL_STIFFNESS_ASYMMETRY * largest {
                 return Err(ReductionError::ModalStiffnessAsymmetric {
                     row,
                     column,
                     value,
                     mirrored,
-                    tolerance: ASYMMETRY,
+                    tolerance: MODAL_STIFFNESS_ASYMMETRY,
                 });
             }
         }

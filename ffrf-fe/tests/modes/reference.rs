@@ -55,6 +55,7 @@ pub fn load(name: &str) -> Option<(Case, FeModel, Mat<f64>)> {
         fixed_dofs: Vec::new(),
         elements: Vec::new(),
         sources: Vec::new(),
+        notes: Vec::new(),
     };
     Some((case, model, Mat::from_fn(shapes.len(), shapes[0].len(), |i, j| shapes[i][j])))
 }

@@ -12,7 +12,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use ffrf_fuzz::{TARGETS, run};
-use mutate::Random;
+use ffrf_test_kit::random::Random;
 
 /// Inputs of one run.
 const INPUTS: usize = 2000;

@@ -1,5 +1,7 @@
 //! Mutations of a file: bytes, lines and numbers changed, removed, repeated or taken from another file.
 
+use ffrf_test_kit::random::Random;
+
 /// Pieces that readers have to look at twice.
 const PIECES: [&[u8]; 30] = [
     b"4000000000",
@@ -33,28 +35,6 @@ const PIECES: [&[u8]; 30] = [
     b"null",
     b"\"",
 ];
-
-/// Numbers that are the same in every run (xorshift64*, Vigna 2016).
-pub struct Random(u64);
-
-impl Random {
-    /// A sequence of its own for each seed.
-    pub fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_f491_4f6c_dd1d)
-    }
-
-    /// A number below `limit`, 0 if that is 0.
-    pub fn below(&mut self, limit: usize) -> usize {
-        if limit == 0 { 0 } else { (self.next() >> 16) as usize % limit }
-    }
-}
 
 /// One to four mutations of a sample, some of which take a piece of another.
 pub fn mutate(sample: &[u8], other: &[u8], random: &mut Random) -> Vec<u8> {

@@ -72,7 +72,7 @@ impl<'a> Point<'a> {
     pub(super) fn evaluate_input(&self, element: usize) -> Result<Evaluated, StepError> {
         let mut elements = self.dual.elements().to_vec();
         if let Some(element) = elements.get_mut(element) {
-            element.grow(Dual64::new(0.0, 1.0));
+            element.kind.grow(Dual64::new(0.0, 1.0));
         }
         let none = DVector::zeros(self.size());
         self.evaluate_with(&self.mechanism.cast().with_elements(elements), &none, &none)

@@ -47,7 +47,7 @@ pub fn linearise(scene: &Scene, time: f64, state: &[State<HostModal>]) -> Result
     let tangent = Tangent::new(&point, &scene.body_names)?;
     let mut system = matrices(&point, &tangent)?;
     for (index, element) in scene.mechanism.elements().iter().enumerate() {
-        if element.grows() {
+        if element.kind.grows() {
             let name = scene.element_names.get(index).cloned().unwrap_or_default();
             add_input(&mut system, &point, &tangent, index, name)?;
         }

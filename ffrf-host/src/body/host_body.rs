@@ -112,6 +112,16 @@ impl HostBody {
         }
     }
 
+    /// S(ω): what centrifugal forces at spin ω take from the stiffness of the modes. Shape: M x M. `omega`: body frame.
+    ///
+    /// Source: (209), derivative of the modal part to q.
+    pub fn centrifugal_softening(&self, omega: &Vector3<f64>) -> DMatrix<f64> {
+        let (spin, modes) = (spin_products(omega), self.mode_count());
+        DMatrix::from_fn(modes, modes, |mu, nu| {
+            0.5 * spin.iter().zip(&self.quadratic[nu][mu]).map(|(spin, entry)| spin * entry).sum::<f64>()
+        })
+    }
+
     /// The markers of a model, in its order.
     pub fn markers(body: &ReducedBody) -> Vec<Marker<HostModal, f64>> {
         let rows = |list: &[[f64; 3]]| -> [HostModal; 3] {

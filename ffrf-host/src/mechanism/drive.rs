@@ -1,5 +1,7 @@
 //! Motions that are given as functions of time.
 
+use ffrf_runtime::mechanism::polynomial;
+
 use super::Formula;
 
 /// A function of time with its exact first and second derivative.
@@ -17,14 +19,7 @@ impl Drive {
     /// Value, rate and acceleration at `time` (s).
     pub fn at(&self, time: f64) -> [f64; 3] {
         match self {
-            Self::Polynomial(coefficients) => {
-                // Horner's scheme for the polynomial, its derivative and half its second derivative
-                let [value, rate, half] =
-                    coefficients.iter().rev().fold([0.0; 3], |[value, rate, half], coefficient| {
-                        [value * time + coefficient, rate * time + value, half * time + rate]
-                    });
-                [value, rate, 2.0 * half]
-            }
+            Self::Polynomial(coefficients) => polynomial(coefficients, time),
             Self::Formula(formula) => formula.at(time),
             Self::Table(table) => table.at(time),
         }

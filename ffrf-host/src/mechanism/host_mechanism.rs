@@ -76,7 +76,15 @@ impl HostMechanism {
             connections: self.connections.iter().map(Connection::cast).collect(),
             drives: self.drives.clone(),
             gravity: self.gravity.map(convert),
-            elements: self.elements.iter().map(Element::cast).collect(),
+            elements: self
+                .elements
+                .iter()
+                .map(|element| Element {
+                    kind: element.kind.cast(),
+                    first: element.first.cast(),
+                    second: element.second.cast(),
+                })
+                .collect(),
             forces: None,
             plan: self.plan.clone(),
             treatment: match self.treatment {
@@ -86,6 +94,8 @@ impl HostMechanism {
                 Treatment::Baumgarte { alpha, beta } => {
                     Treatment::Baumgarte { alpha: convert(alpha), beta: convert(beta) }
                 }
+                Treatment::Index3 => Treatment::Index3,
+                Treatment::StabilisedIndex2 => Treatment::StabilisedIndex2,
             },
             regularisation: Regularisation {
                 share: convert(self.regularisation.share),

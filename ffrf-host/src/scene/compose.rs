@@ -25,6 +25,8 @@ pub struct Scene {
     pub connection_names: Vec<String>,
     /// Names of the force elements.
     pub element_names: Vec<String>,
+    /// For each body the file of its surface, if the scene names one: for pictures only.
+    pub surfaces: Vec<Option<String>>,
     /// What is measured.
     pub sensors: Vec<Sensor>,
     /// How it is simulated.
@@ -80,6 +82,7 @@ impl Scene {
             check_name("sensors", name)?;
             sensors.push(sensor(name, table, &mut named, &joint_connections)?);
         }
+        let surfaces = file.bodies.iter().map(|(_, table)| table.surface.clone()).collect();
         let element_names = file.forces.iter().map(|(name, _)| name.clone()).collect();
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
@@ -92,6 +95,7 @@ impl Scene {
             body_names,
             connection_names,
             element_names,
+            surfaces,
             sensors,
             settings,
         })
@@ -99,7 +103,7 @@ impl Scene {
 
     /// The initial state with the joints met, and how far the file's state was from them (position, velocity).
     ///
-    /// Positions, then velocities, move as little as possible, measured by the mass matrix.
+    /// Positions, then velocities, move as little as possible; parts are moved as a whole where that meets the joints.
     /// Errors: [`SceneError::NotAssembled`].
     pub fn assembled(&self) -> Result<(Vec<State<HostModal>>, [f64; 2]), SceneError> {
         let system = Constrained(&self.mechanism);
@@ -110,21 +114,11 @@ impl Scene {
             },
             other => SceneError::Key { key: "bodies".to_owned(), message: other.to_string() },
         };
-        let mut state = self.initial.clone();
-        let mut first = None;
-        // each pass factors anew, so that a state far from the joints is drawn in by Newton's method
-        for _ in 0..PASSES {
-            let (next, drift) = system.project(0.0, state, None, 2, f64::MAX).map_err(not)?;
-            state = next;
-            first.get_or_insert([drift.position, drift.velocity]);
-        }
-        let (state, _) = system.project(0.0, state, None, 8, ASSEMBLED).map_err(not)?;
-        Ok((state, first.unwrap_or([0.0; 2])))
+        let (state, drift) = system.assemble(0.0, self.initial.clone(), ASSEMBLED).map_err(not)?;
+        Ok((state, [drift.position, drift.velocity]))
     }
 }
 
-/// Factorisations while assembling.
-const PASSES: usize = 20;
 /// Residual of an assembled mechanism. Units: m or rad.
 const ASSEMBLED: f64 = 1e-8;
 

@@ -23,7 +23,9 @@ pub struct SimulationTable {
     pub tolerance: Option<f64>,
     /// Name of the integrator; `rk4` if nothing is said, `dopri5` with a tolerance.
     pub integrator: Option<String>,
-    /// Treatment of the constraints; `projection` if nothing is said.
+    /// ρ∞ of the generalised-α method.
+    pub rho_infinity: Option<f64>,
+    /// Treatment of the constraints; what goes best with the integrator if nothing is said.
     pub constraints: Option<String>,
     /// Gravity. Units: m/s². Frame: inertial.
     #[serde(default)]
@@ -38,6 +40,8 @@ pub struct SimulationTable {
 pub struct BodyTable {
     /// Model file, relative to the scene file.
     pub model: Option<String>,
+    /// Surface file for animations, relative to the scene file; no number of a simulation depends on it.
+    pub surface: Option<String>,
     /// Number of modes that are used; all if nothing is said.
     pub modes: Option<usize>,
     /// Which terms of the kinetic energy are kept: a level, or a list of terms.

@@ -1,7 +1,8 @@
 //! Force elements of a scene.
 
 use ffrf_runtime::State;
-use ffrf_runtime::forces::{Bushing, Spring, TorsionSpring, relative_angle};
+use ffrf_runtime::forces::{Bushing, ConstantWrench, Frame, Spring, TorsionSpring, relative_angle};
+use ffrf_runtime::mechanism::turn_about;
 use nalgebra::Vector3;
 
 use super::SceneError;
@@ -49,8 +50,7 @@ pub(super) fn element(
             let along_axis = direction(&format!("{key}.axis"), table.axis)?;
             let relative = triad(bodies, states, &first).orientation.inverse()
                 * triad(bodies, states, &second).orientation;
-            let seen = along_axis.inverse() * relative * along_axis;
-            let turn = 2.0 * seen.k.atan2(seen.w);
+            let turn = turn_about(&relative, &along_axis);
             first.orientation *= along_axis;
             second.orientation *= relative.inverse()
                 * along_axis
@@ -66,8 +66,16 @@ pub(super) fn element(
             stiffness: six(&key, "stiffness_matrix", table.stiffness_matrix, None)?,
             damping: six(&key, "damping_matrix", table.damping_matrix, Some([0.0; 6]))?,
         }),
-        "force" => ElementKind::Force { value: vector(&key, table.value)?, follows: follows(&key, table)? },
-        "moment" => ElementKind::Moment { value: vector(&key, table.value)?, follows: follows(&key, table)? },
+        "force" => ElementKind::Constant(ConstantWrench {
+            force: vector(&key, table.value)?,
+            moment: Vector3::zeros(),
+            frame: frame(&key, table)?,
+        }),
+        "moment" => ElementKind::Constant(ConstantWrench {
+            force: Vector3::zeros(),
+            moment: vector(&key, table.value)?,
+            frame: frame(&key, table)?,
+        }),
         other => {
             return Err(SceneError::Unknown {
                 key: format!("{key}.kind"),
@@ -105,10 +113,10 @@ fn six(
     }
 }
 
-fn follows(key: &str, table: &ForceTable) -> Result<bool, SceneError> {
+fn frame(key: &str, table: &ForceTable) -> Result<Frame, SceneError> {
     match table.frame.as_deref() {
-        None | Some("inertial") => Ok(false),
-        Some("body") => Ok(true),
+        None | Some("inertial") => Ok(Frame::Inertial),
+        Some("body") => Ok(Frame::Body),
         Some(other) => Err(SceneError::value(
             format!("{key}.frame"),
             "`inertial` or `body`",

@@ -6,7 +6,7 @@ use ffrf_runtime::joints::{
     Angle, ConstantOrientation, Cylindrical, Distance, Fixed, Generic, InLine, InPlane, JointKind, Planar,
     Prismatic, Revolute, Spherical, Travel, Universal,
 };
-use ffrf_runtime::mechanism::{Attachment, Connection};
+use ffrf_runtime::mechanism::{Attachment, Connection, along_axis, second_triad};
 use ffrf_runtime::{MarkerMotion, PlacedMarker, State};
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -51,11 +51,11 @@ pub(super) fn joint(
     let mut second = attachment(bodies, &format!("{key}.second"), &table.second, table.second_position)?;
     let ends = [triad(bodies, states, &first), triad(bodies, states, &second)];
     let kind = kind(&key, table, &ends)?;
-    let along_axis = direction(&format!("{key}.axis"), table.axis)?;
-    first.orientation *= along_axis;
+    let to_axis = direction(&format!("{key}.axis"), table.axis)?;
+    first.orientation *= to_axis;
     second.orientation *= match kind {
-        JointKind::Universal(_) => second_axis(&key, table, &ends, &along_axis)?,
-        _ => second_triad(&kind, &ends, &along_axis),
+        JointKind::Universal(_) => second_axis(&key, table, &ends, &to_axis)?,
+        _ => second_triad(&kind, [&ends[0].orientation, &ends[1].orientation], &to_axis),
     };
     let connection = Connection { kind, first, second };
     let drive = match &table.drive {
@@ -98,10 +98,9 @@ pub(super) fn triad(
     let Some(body) = attachment.body else {
         return MarkerMotion::fixed(attachment.position, attachment.orientation);
     };
-    let mut motion =
+    let motion =
         PlacedMarker::new(&bodies[body].markers[attachment.marker], &states[body]).motion(&states[body]);
-    motion.orientation *= attachment.orientation;
-    motion
+    motion.turned(&attachment.orientation)
 }
 
 fn kind(key: &str, table: &JointTable, ends: &[MarkerMotion; 2]) -> Result<JointKind, SceneError> {
@@ -161,32 +160,7 @@ pub(super) fn direction(key: &str, axis: Option<Vector>) -> Result<UnitQuaternio
     if !(norm > 0.0 && norm.is_finite()) {
         return Err(SceneError::value(key, "a direction", format!("{axis:?}")));
     }
-    // opposite to z no rotation is nearest: half a turn about x is one
-    Ok(UnitQuaternion::rotation_between(&Vector3::z(), &vector)
-        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)))
-}
-
-/// The second triad, from the first one and the initial orientation of both bodies.
-///
-/// The joint's z axes agree at the start. About them, the angle from the first to the second triad is the turn about the axis
-/// between the two frames; joints that hold this rotation begin without it.
-fn second_triad(
-    kind: &JointKind,
-    ends: &[MarkerMotion; 2],
-    along_axis: &UnitQuaternion<f64>,
-) -> UnitQuaternion<f64> {
-    let relative = ends[0].orientation.inverse() * ends[1].orientation;
-    let turn = match kind {
-        JointKind::Fixed(_)
-        | JointKind::Prismatic(_)
-        | JointKind::ConstantOrientation(_)
-        | JointKind::Generic(_) => 0.0,
-        _ => {
-            let seen = along_axis.inverse() * relative * along_axis;
-            2.0 * seen.k.atan2(seen.w)
-        }
-    };
-    relative.inverse() * along_axis * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turn)
+    Ok(along_axis(&vector))
 }
 
 /// The second triad of a universal joint: z along the second axis, by default the one that is x of the first triad now.

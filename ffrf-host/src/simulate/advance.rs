@@ -2,15 +2,17 @@
 
 use ffrf_runtime::mechanism::Constrained;
 use ffrf_runtime::{
-    Drift, State, StepError, Tolerances, step_dormand_prince, step_linearly_implicit, step_rk4,
+    AlphaMemory, Drift, EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, Tolerances,
+    step_dormand_prince, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
     step_symplectic_euler, try_dormand_prince,
 };
 
+use crate::mechanism::HostIncrement;
 use crate::scene::{Integrator, Settings, StepChoice};
 use crate::{HostMechanism, HostModal};
 
 /// The step sizes and counts of a simulation so far.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Advance {
     /// What an error-controlled integrator tries next. Units: s.
     pub next_step: f64,
@@ -20,6 +22,10 @@ pub struct Advance {
     pub refused: u64,
     /// Largest drift from the constraints of a step, before it was corrected.
     pub drift: Drift,
+    /// Most iterations that an implicit step took.
+    pub iterations: usize,
+    /// What the generalised-α method remembers of its last step.
+    pub memory: Option<AlphaMemory<HostIncrement>>,
 }
 
 /// Smallest step of an error-controlled integrator, relative to the interval between samples.
@@ -35,7 +41,7 @@ impl Advance {
             StepChoice::Fixed(step) => step,
             StepChoice::Tolerance(_) => 1e-2 * settings.output_step,
         };
-        Self { next_step, steps: 0, refused: 0, drift: Drift::none() }
+        Self { next_step, steps: 0, refused: 0, drift: Drift::none(), iterations: 0, memory: None }
     }
 
     /// The state at `end`, from `state` at `start`. Fixed steps are equal, and at most as long as wanted.
@@ -56,15 +62,10 @@ impl Advance {
                 let step = (end - start) / count;
                 for k in 0..count as u64 {
                     let time = start + k as f64 * step;
-                    let result = match settings.integrator {
-                        Integrator::SymplecticEuler => step_symplectic_euler(&system, &state, time, step),
-                        Integrator::Rk4 => step_rk4(&system, &state, time, step),
-                        Integrator::Dopri5 => step_dormand_prince(&system, &state, time, step),
-                        Integrator::LinearlyImplicit => step_linearly_implicit(&system, &state, time, step),
-                    };
-                    let (next, report) = result.map_err(|error| (time, error))?;
+                    let (next, report) =
+                        self.fixed(&system, settings, &state, time, step).map_err(|error| (time, error))?;
                     state = next;
-                    self.accept(report.drift);
+                    self.accept(&report);
                 }
             }
             StepChoice::Tolerance(relative) => {
@@ -81,7 +82,7 @@ impl Advance {
                         Some((next, report)) => {
                             state = next;
                             time = if last { end } else { time + step };
-                            self.accept(report.drift);
+                            self.accept(&report);
                             // a step cut short by a sample says little about the next one
                             self.next_step =
                                 if last { tried.next_step.max(self.next_step) } else { tried.next_step };
@@ -100,10 +101,39 @@ impl Advance {
         Ok(state)
     }
 
-    fn accept(&mut self, drift: Drift) {
+    /// One step of a fixed size.
+    fn fixed(
+        &mut self,
+        system: &Constrained<'_, HostMechanism>,
+        settings: &Settings,
+        state: &Vec<State<HostModal>>,
+        time: f64,
+        step: f64,
+    ) -> Result<(Vec<State<HostModal>>, StepReport), StepError> {
+        match settings.integrator {
+            Integrator::SymplecticEuler => step_symplectic_euler(system, state, time, step),
+            Integrator::Rk4 => step_rk4(system, state, time, step),
+            Integrator::Dopri5 => step_dormand_prince(system, state, time, step),
+            Integrator::LinearlyImplicit => step_linearly_implicit(system, state, time, step),
+            Integrator::LinearlyImplicitEuler => step_linearly_implicit_euler(system, state, time, step),
+            Integrator::GeneralizedAlpha => {
+                let method =
+                    GeneralisedAlpha { spectral_radius: settings.spectral_radius, ..GeneralisedAlpha::new() };
+                let memory = match &mut self.memory {
+                    Some(memory) => memory,
+                    none => none.insert(method.start(system, state, time, step)?),
+                };
+                method.step(system, memory, state, time, step)
+            }
+            Integrator::EnergyMomentum => EnergyMomentum::new().step(system, state, time, step),
+        }
+    }
+
+    fn accept(&mut self, report: &StepReport) {
         self.steps += 1;
-        self.drift.position = self.drift.position.max(drift.position);
-        self.drift.velocity = self.drift.velocity.max(drift.velocity);
+        self.drift.position = self.drift.position.max(report.drift.position);
+        self.drift.velocity = self.drift.velocity.max(report.drift.velocity);
+        self.iterations = self.iterations.max(report.iterations);
     }
 }
 

@@ -5,6 +5,7 @@ mod check;
 mod run;
 mod sample;
 mod saved_state;
+mod spin;
 
 pub use advance::Advance;
 pub use check::{SceneCheck, check};
@@ -12,3 +13,4 @@ pub use run::{Progress, SimulationError, Summary, simulate};
 pub(crate) use sample::read as read_sensor;
 pub use sample::{Sample, header};
 pub use saved_state::{BodyState, SavedState, StateError};
+pub use spin::SpinWarning;

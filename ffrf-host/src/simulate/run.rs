@@ -1,11 +1,13 @@
 //! The way of a scene through time.
 
 use ffrf_runtime::StepError;
+use ffrf_runtime::mechanism::Assembly;
 use thiserror::Error;
 
 use super::sample::sample;
-use super::{Advance, Sample, SavedState, StateError};
-use crate::scene::{Scene, SceneError};
+use super::spin::SpinWatch;
+use super::{Advance, Sample, SavedState, SpinWarning, StateError};
+use crate::scene::{Integrator, Scene, SceneError};
 
 /// Where a simulation is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +29,8 @@ pub struct Summary {
     pub initial_residuals: [f64; 2],
     /// The state at the end.
     pub end: SavedState,
+    /// Bodies that turned faster than their modes can stand.
+    pub spin: Vec<SpinWarning>,
 }
 
 /// Why a simulation ended early.
@@ -68,6 +72,7 @@ pub fn simulate(
         None => (0.0, scene.assembled()?),
         Some(saved) => {
             advance.next_step = saved.next_step;
+            advance.memory = saved.memory(scene)?;
             if saved.angles.len() == angles.len() {
                 angles.clone_from(&saved.angles);
             }
@@ -75,6 +80,8 @@ pub fn simulate(
         }
     };
     let refused = |time: f64, error: StepError| SimulationError::Step { time, reason: reason(scene, error) };
+    let mut watch = SpinWatch::new(scene);
+    watch.look(scene, time, &state);
     write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
     // samples stand on a grid that begins at zero, so that a run continued is the run itself
     let mut index = (time / settings.output_step * (1.0 + 1e-12)).floor() + 1.0;
@@ -92,19 +99,29 @@ pub fn simulate(
             .map_err(|(time, error)| refused(time, error))?;
         time = end;
         index += 1.0;
+        watch.look(scene, time, &state);
         write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
         progress(Progress { time, share: time / settings.duration, steps: advance.steps });
     }
-    let end = SavedState::new(scene, time, advance.next_step, &angles, &state);
-    Ok(Summary { advance, initial_residuals, end })
+    let end = SavedState::new(scene, time, &advance, &angles, &state);
+    Ok(Summary { advance, initial_residuals, end, spin: watch.warnings })
 }
 
 fn reason(scene: &Scene, error: StepError) -> String {
     match error {
         StepError::ConstraintsNotMet { joint, residual } => {
             let name = scene.connection_names.get(joint).map_or("?", String::as_str);
+            // With the stiff modes taken implicitly their frequency is no limit.
+            let explicit = scene.settings.integrator != Integrator::LinearlyImplicit;
+            let limit = scene
+                .mechanism
+                .largest_stable_step()
+                .filter(|_| explicit)
+                .map_or_else(String::new, |limit| {
+                    format!("; the highest mode allows explicit steps of at most {limit:.3e} s")
+                });
             format!(
-                "joint `{name}` is off by {residual:.3e} (m or rad) and cannot be met again: reduce the step"
+                "joint `{name}` is off by {residual:.3e} (m or rad) and cannot be met again: reduce the step{limit}"
             )
         }
         other => other.to_string(),

@@ -1,7 +1,7 @@
 //! What a simulation shows at one time: the columns of its output.
 
 use ffrf_runtime::forces::relative_angle;
-use ffrf_runtime::mechanism::{Assembly, Attachment, Constrained, Ports, Storage};
+use ffrf_runtime::mechanism::{Assembly, Constrained, Storage, acceleration, reaction as reaction_of_one};
 use ffrf_runtime::{Observables, State, StepError, rotation};
 use nalgebra::{RealField, Vector3};
 
@@ -107,11 +107,6 @@ pub(crate) fn read<T: RealField + Copy>(
     }
 }
 
-fn acceleration<T: RealField + Copy>(at: &Attachment<T>, ports: &HostPorts<'_, T>) -> Vector3<T> {
-    let twist = at.body.and_then(|body| ports.port(body)).map(|port| port.resulting_twist(at.marker)[0]);
-    at.motion(ports).acceleration_bias + twist.unwrap_or_else(Vector3::zeros)
-}
-
 /// Force and moment of joints on their second body, at the attachment there.
 fn reaction<T: RealField + Copy>(
     mechanism: &HostMechanism<T>,
@@ -121,11 +116,9 @@ fn reaction<T: RealField + Copy>(
     let plan = mechanism.plan();
     let mut sum = (Vector3::zeros(), Vector3::zeros());
     for joint in joints {
-        for (k, row) in storage.rows[*joint].as_slice().iter().enumerate() {
-            let multiplier = -storage.solution[plan.joints[*joint].unknowns + k];
-            sum.0 += row.second.force * multiplier;
-            sum.1 += row.second.moment * multiplier;
-        }
+        let wrench = reaction_of_one(&plan, storage, *joint);
+        sum.0 += wrench.force;
+        sum.1 += wrench.moment;
     }
     sum
 }

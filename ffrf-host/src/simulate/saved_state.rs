@@ -2,12 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use ffrf_runtime::State;
+use ffrf_runtime::{AlphaMemory, Increment, State};
 use nalgebra::{DVector, Quaternion, UnitQuaternion};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use super::Advance;
 use crate::HostModal;
+use crate::mechanism::HostIncrement;
 use crate::scene::Scene;
 
 /// The state of all bodies at one time.
@@ -40,6 +42,9 @@ pub struct BodyState {
     pub angular_velocity: [f64; 3],
     /// Modal rates.
     pub modal_rates: Vec<f64>,
+    /// What the generalised-α method remembers: accelerations and its shifted ones, each linear (3), angular (3), modal.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub remembered_accelerations: Vec<f64>,
 }
 
 /// Why a saved state does not fit a scene.
@@ -68,12 +73,14 @@ impl SavedState {
     pub(crate) fn new(
         scene: &Scene,
         time: f64,
-        next_step: f64,
+        advance: &Advance,
         angles: &[Option<f64>],
         state: &[State<HostModal>],
     ) -> Self {
-        let bodies = scene.body_names.iter().zip(state).map(|(name, state)| {
+        let bodies = scene.body_names.iter().zip(state).enumerate().map(|(index, (name, state))| {
             let theta = &state.orientation;
+            let remembered =
+                advance.memory.iter().flat_map(|memory| [&memory.accelerations, &memory.shifted]);
             let body = BodyState {
                 position: state.position.into(),
                 orientation: [theta.w, theta.i, theta.j, theta.k],
@@ -81,10 +88,32 @@ impl SavedState {
                 velocity: state.velocity.into(),
                 angular_velocity: state.angular_velocity.into(),
                 modal_rates: state.modal_rates.0.as_slice().to_vec(),
+                remembered_accelerations: remembered.flat_map(|all| flat(&all.0[index])).collect(),
             };
             (name.clone(), body)
         });
-        Self { time, next_step, angles: angles.to_vec(), bodies: bodies.collect() }
+        Self { time, next_step: advance.next_step, angles: angles.to_vec(), bodies: bodies.collect() }
+    }
+
+    /// What the generalised-α method remembered, if every body has it.
+    pub(super) fn memory(&self, scene: &Scene) -> Result<Option<AlphaMemory<HostIncrement>>, StateError> {
+        if self.bodies.values().all(|body| body.remembered_accelerations.is_empty()) {
+            return Ok(None);
+        }
+        let none = HostIncrement(Vec::new());
+        let mut memory = AlphaMemory { accelerations: none.clone(), shifted: none };
+        for (name, body) in scene.body_names.iter().zip(scene.mechanism.bodies()) {
+            let modes = body.mode_count();
+            let numbers = self.bodies.get(name).map_or(&[][..], |body| &body.remembered_accelerations);
+            if numbers.len() != 2 * (6 + modes) {
+                let found = format!("{} remembered accelerations", numbers.len());
+                return Err(StateError::Modes { body: name.clone(), expected: modes, found });
+            }
+            let (accelerations, shifted) = numbers.split_at(6 + modes);
+            memory.accelerations.0.push(raised(accelerations));
+            memory.shifted.0.push(raised(shifted));
+        }
+        Ok(Some(memory))
     }
 
     /// The states of the bodies of a scene, bit by bit. Errors: see [`StateError`].
@@ -115,4 +144,21 @@ impl SavedState {
             })
             .collect()
     }
+}
+
+/// The rates of velocities of an increment: linear, angular, modal.
+fn flat(rates: &Increment<HostModal>) -> Vec<f64> {
+    let rigid = rates.velocity.iter().chain(rates.angular_velocity.iter());
+    rigid.chain(rates.modal_rates.0.as_slice()).copied().collect()
+}
+
+/// The increment of rates of velocities, six and those of the modes.
+fn raised(numbers: &[f64]) -> Increment<HostModal> {
+    let (rigid, modal) = numbers.split_at(6);
+    let modal = HostModal(DVector::from_column_slice(modal));
+    let mut rates = Increment::zeros(&modal);
+    rates.velocity.copy_from_slice(&rigid[..3]);
+    rates.angular_velocity.copy_from_slice(&rigid[3..]);
+    rates.modal_rates = modal;
+    rates
 }

@@ -4,22 +4,7 @@
 use ffrf_model::{
     Inertia, Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile, Vector3,
 };
-
-/// Numbers in (-1, 1) from a linear congruential generator: the same on every machine.
-pub struct Numbers(pub u64);
-
-impl Numbers {
-    /// The next number.
-    pub fn draw(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    /// Three numbers.
-    pub fn vector(&mut self) -> Vector3 {
-        [self.draw(), self.draw(), self.draw()]
-    }
-}
+use ffrf_test_kit::random::Random;
 
 /// A point mass with its position and mode rows.
 pub struct Point {
@@ -33,10 +18,10 @@ pub struct Point {
 
 /// Twelve points without any symmetry.
 pub fn points(modes: usize) -> Vec<Point> {
-    let mut numbers = Numbers(7);
+    let mut numbers = Random::new(7);
     (0..12)
         .map(|_| Point {
-            mass: 1.5 + numbers.draw(),
+            mass: 1.5 + numbers.number(),
             position: numbers.vector(),
             shapes: (0..modes).map(|_| numbers.vector()).collect(),
         })
@@ -85,6 +70,7 @@ pub fn body(modes: usize) -> ReducedBody {
                 file: "X.txt".to_owned(),
                 sha256: "00".to_owned(),
             }],
+            notes: Vec::new(),
         },
         modes: (0..modes).map(|_| Mode { kind: ModeKind::User, frequency_hz: Some(0.1) }).collect(),
         inertia: inertia(&points),

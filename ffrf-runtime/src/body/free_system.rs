@@ -2,9 +2,11 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, State};
+use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, Span, State};
 use crate::forces::Load;
-use crate::integrators::{LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace};
+use crate::integrators::{
+    ConservingSystem, ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace,
+};
 
 /// A body without joints and what pushes it.
 #[derive(Debug, Clone, Copy)]
@@ -105,5 +107,45 @@ where
         increment
             .implicit_rate_under(self.body, &state, &force, gamma_h, subtracted)
             .ok_or(StepError::MassNotPositive)
+    }
+}
+
+impl<B, L, T> ImplicitSystem<T> for FreeSystem<'_, B, L>
+where
+    B: FlexibleBody<T>,
+    L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+    T: RealField + Copy,
+{
+}
+
+impl<B, L, T> ConservingSystem<T> for FreeSystem<'_, B, L>
+where
+    B: FlexibleBody<T>,
+    L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+    T: RealField + Copy,
+{
+    fn conserving_places(
+        &self,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Self::Increment {
+        Span::new(begin, velocities, step).increment.places_only()
+    }
+
+    fn conserving_correction(
+        &self,
+        time: T,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Result<Self::Increment, StepError> {
+        let span = Span::new(begin, velocities, step);
+        let mut force = GeneralisedForce::zeros(&begin.modal_coordinates);
+        self.load.add_to(self.body, time + step * nalgebra::convert(0.5), &span.middle, &mut force);
+        let (stage, missing) =
+            span.stage(self.body, &span.dual_to_mean(force)).ok_or(StepError::MassNotPositive)?;
+        let factors = stage.eliminated.factor().ok_or(StepError::MassNotPositive)?;
+        Ok(span.with_correction(&factors.solve(&missing)))
     }
 }

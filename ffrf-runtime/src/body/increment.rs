@@ -63,6 +63,16 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
         self.rate(state, Motion::zeros(&state.modal_rates))
     }
 
+    /// The change of the places alone.
+    pub(crate) fn places_only(&self) -> Self {
+        Self {
+            velocity: Vector3::zeros(),
+            angular_velocity: Vector3::zeros(),
+            modal_rates: self.modal_rates.zeros_alike(),
+            ..self.clone()
+        }
+    }
+
     /// The change of the velocities alone.
     pub fn velocities_only(&self) -> Self {
         Self {

@@ -1,6 +1,6 @@
 //! The motion of a marker as joints, forces and sensors see it: three-vectors in space, whatever the body.
 
-use nalgebra::{RealField, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
 use super::marker::{SmallRotation, combine, transposed};
 use super::{GeneralisedForce, Marker, ModalVector, Motion, State};
@@ -13,6 +13,9 @@ pub struct MarkerMotion<T: RealField + Copy = f64> {
     pub position: Vector3<T>,
     /// Orientation of the marker's triad: that of the body frame and the Cayley map of the small rotation.
     pub orientation: UnitQuaternion<T>,
+    /// The axes of the triad as columns: the matrix of [`orientation`](Self::orientation), but for means over a step, where
+    /// they are the means of the axes. Shape: 3 x 3. Units: 1. Frame: inertial.
+    pub axes: Matrix3<T>,
     /// Velocity. Shape: 3. Units: m/s. Frame: inertial.
     pub velocity: Vector3<T>,
     /// Angular velocity of the triad. Shape: 3. Units: rad/s. Frame: inertial.
@@ -30,11 +33,20 @@ impl<T: RealField + Copy> MarkerMotion<T> {
         Self {
             position,
             orientation,
+            axes: orientation.to_rotation_matrix().into_inner(),
             velocity: zero,
             angular_velocity: zero,
             acceleration_bias: zero,
             angular_acceleration_bias: zero,
         }
+    }
+
+    /// The same motion of a triad that is turned in this one.
+    #[must_use]
+    pub fn turned(mut self, orientation: &UnitQuaternion<T>) -> Self {
+        self.orientation *= *orientation;
+        self.axes *= orientation.to_rotation_matrix().into_inner();
+        self
     }
 }
 
@@ -93,9 +105,11 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
         let slowing = self.rotation.half.dot(&turning) * self.rotation.share;
         let gyration = omega.cross(&spin) - spin * slowing;
         let inertial = |vector: &Vector3<T>| self.orientation.transform_vector(vector);
+        let orientation = self.orientation * cayley(&(self.rotation.half * two));
         MarkerMotion {
             position: state.position + inertial(&arm),
-            orientation: self.orientation * cayley(&(self.rotation.half * two)),
+            orientation,
+            axes: orientation.to_rotation_matrix().into_inner(),
             velocity: state.velocity + inertial(&carried),
             angular_velocity: inertial(&(omega + spin)),
             acceleration_bias: inertial(&centripetal),

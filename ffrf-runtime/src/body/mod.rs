@@ -16,6 +16,8 @@ mod observables;
 mod pair;
 mod prepared;
 mod rigid_body;
+mod span;
+mod span_marker;
 mod state;
 
 pub use dense_forms::{DenseForms, EquationsOfMotion};
@@ -35,4 +37,6 @@ pub use prepared::{Eliminated, Factored, Prepared};
 
 pub(crate) use implicit::ImplicitBody;
 pub use rigid_body::RigidBody;
+pub(crate) use span::Span;
+pub(crate) use span_marker::SpanMarker;
 pub use state::State;

@@ -4,7 +4,9 @@ use nalgebra::RealField;
 
 use super::{FlexibleBody, GeneralisedForce, Increment, State};
 use crate::forces::Load;
-use crate::integrators::{LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace};
+use crate::integrators::{
+    ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace,
+};
 
 /// Something of each of two bodies: the bodies themselves, their states, changes of them, or forces on them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -167,4 +169,13 @@ where
             second: second_rate.ok_or(StepError::MassNotPositive)?,
         })
     }
+}
+
+impl<A, B, L, T> ImplicitSystem<T> for PairSystem<'_, A, B, L>
+where
+    A: FlexibleBody<T>,
+    B: FlexibleBody<T>,
+    L: Load<Pair<A, B>, States<A, B, T>, Forces<A, B, T>, T>,
+    T: RealField + Copy,
+{
 }

@@ -1,6 +1,6 @@
 //! The state of a flexible body: where it is, how it is deformed, how both change.
 
-use nalgebra::{RealField, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, RealField, UnitQuaternion, Vector3};
 
 use super::{FlexibleBody, ModalVector, Motion};
 use crate::rotation::turned;
@@ -80,6 +80,38 @@ impl<V: ModalVector<T>, T: RealField + Copy> State<V, T> {
         self.velocity += self.to_inertial(&change.linear);
         self.angular_velocity += change.angular;
         self.modal_rates.add_scaled(T::one(), &change.modal);
+    }
+
+    /// The numbers of the state: position, orientation (scalar first), modal coordinates, velocity, angular velocity,
+    /// modal rates. Shape: 13 + 2 M.
+    pub fn numbers(&self) -> impl Iterator<Item = T> {
+        let [x, y, z, w]: [T; 4] = self.orientation.coords.into();
+        let velocities = self.velocity.iter().chain(self.angular_velocity.iter());
+        let velocities = velocities.chain(self.modal_rates.as_slice());
+        let modal = self.modal_coordinates.as_slice().iter();
+        let place = self.position.iter().copied().chain([w, x, y, z]).chain(modal.copied());
+        place.chain(velocities.copied())
+    }
+
+    /// Takes the numbers of a state as [`numbers`](Self::numbers) gives them, bit by bit; what is missing stays as it is.
+    ///
+    /// The orientation must be a unit quaternion.
+    pub fn set_numbers(&mut self, numbers: &mut impl Iterator<Item = T>) {
+        let [x, y, z, w]: [T; 4] = self.orientation.coords.into();
+        let mut orientation = [w, x, y, z];
+        let mut take = |places: &mut [T]| {
+            for (place, number) in places.iter_mut().zip(&mut *numbers) {
+                *place = number;
+            }
+        };
+        take(self.position.as_mut_slice());
+        take(&mut orientation);
+        take(self.modal_coordinates.as_mut_slice());
+        take(self.velocity.as_mut_slice());
+        take(self.angular_velocity.as_mut_slice());
+        take(self.modal_rates.as_mut_slice());
+        let [w, x, y, z] = orientation;
+        self.orientation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
     }
 
     /// Whether every number of the state is finite.

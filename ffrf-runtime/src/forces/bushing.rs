@@ -2,6 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
+use super::ForceElement;
 use crate::body::{MarkerMotion, Wrench};
 
 /// A bushing, linear in displacement and rotation vector of the second triad in the first.
@@ -13,9 +14,9 @@ pub struct Bushing<T = f64> {
     pub damping: [T; 6],
 }
 
-impl<T: RealField + Copy> Bushing<T> {
+impl<T: RealField + Copy> ForceElement<T> for Bushing<T> {
     /// Wrenches on both ends (inertial). Force and moment act at the second end; the first gets their reaction there.
-    pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+    fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
         let between = second.position - first.position;
         let to_first = |vector: &Vector3<T>| first.orientation.inverse_transform_vector(vector);
         let displacement = to_first(&between);
@@ -35,7 +36,7 @@ impl<T: RealField + Copy> Bushing<T> {
     }
 
     /// Stored energy. Units: J.
-    pub fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
+    fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
         let displacement = first.orientation.inverse_transform_vector(&(second.position - first.position));
         let turn = rotation_vector(first, second);
         let squares = displacement.iter().chain(turn.iter()).zip(self.stiffness);

@@ -1,13 +1,19 @@
 //! What pushes bodies: loads, one file each.
 
+mod actuator;
 mod bushing;
+mod constant_wrench;
+mod force_element;
 mod gravity;
 mod load;
 mod marker_load;
 mod spring;
 mod torsion_spring;
 
+pub use actuator::Actuator;
 pub use bushing::Bushing;
+pub use constant_wrench::ConstantWrench;
+pub use force_element::ForceElement;
 pub use gravity::Gravity;
 pub use load::Load;
 pub use marker_load::{Frame, MarkerLoad};

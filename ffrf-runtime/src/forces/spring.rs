@@ -2,6 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
+use super::ForceElement;
 use crate::body::{MarkerMotion, Wrench};
 
 /// A linear spring with a damper along the line between two points.
@@ -15,9 +16,9 @@ pub struct Spring<T = f64> {
     pub rest_length: T,
 }
 
-impl<T: RealField + Copy> Spring<T> {
+impl<T: RealField + Copy> ForceElement<T> for Spring<T> {
     /// Wrenches on both ends (inertial). Where the ends meet, the line has no direction and there is no force.
-    pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+    fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
         let between = second.position - first.position;
         let length = between.norm();
         if length <= T::default_epsilon() {
@@ -31,7 +32,7 @@ impl<T: RealField + Copy> Spring<T> {
     }
 
     /// Stored energy. Units: J.
-    pub fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
+    fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
         let stretch = (second.position - first.position).norm() - self.rest_length;
         self.stiffness * stretch * stretch * nalgebra::convert(0.5)
     }

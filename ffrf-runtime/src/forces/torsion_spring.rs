@@ -2,6 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
+use super::ForceElement;
 use crate::body::{MarkerMotion, Wrench};
 
 /// A spring with a damper about the z axis of the first triad, for joints that keep both z axes together.
@@ -15,9 +16,9 @@ pub struct TorsionSpring<T = f64> {
     pub rest_angle: T,
 }
 
-impl<T: RealField + Copy> TorsionSpring<T> {
+impl<T: RealField + Copy> ForceElement<T> for TorsionSpring<T> {
     /// Wrenches on both ends (inertial).
-    pub fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+    fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
         let axis = first.orientation.transform_vector(&Vector3::z());
         let rate = axis.dot(&(second.angular_velocity - first.angular_velocity));
         let angle = self.turn(first, second);
@@ -27,11 +28,13 @@ impl<T: RealField + Copy> TorsionSpring<T> {
     }
 
     /// Stored energy. Units: J.
-    pub fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
+    fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
         let angle = self.turn(first, second);
         self.stiffness * angle * angle * nalgebra::convert(0.5)
     }
+}
 
+impl<T: RealField + Copy> TorsionSpring<T> {
     /// The angle from rest, within half a turn.
     fn turn(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
         let angle = relative_angle(first, second) - self.rest_angle;

@@ -1,15 +1,23 @@
 //! Integrators, one file each, written once for every [`System`].
 
 mod dormand_prince;
+mod energy_momentum;
+mod generalised_alpha;
 mod linearly_implicit;
+mod linearly_implicit_euler;
 mod runge_kutta;
 mod step;
 mod symplectic_euler;
 mod system;
 
 pub use dormand_prince::{ControlledStep, step_dormand_prince, try_dormand_prince};
+pub use energy_momentum::EnergyMomentum;
+pub use generalised_alpha::{AlphaMemory, GeneralisedAlpha};
 pub use linearly_implicit::step_linearly_implicit;
+pub use linearly_implicit_euler::step_linearly_implicit_euler;
 pub use runge_kutta::step_rk4;
 pub use step::{Drift, LocalError, StepError, StepReport, Tolerances};
 pub use symplectic_euler::step_symplectic_euler;
-pub use system::{StiffSystem, System, VectorSpace};
+pub use system::{ConservingSystem, Correction, ImplicitSystem, StiffSystem, System, VectorSpace};
+
+pub(crate) use system::{displaced, elastic_at_rest};

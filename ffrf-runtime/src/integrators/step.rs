@@ -52,6 +52,8 @@ pub struct StepReport<T = f64> {
     pub local_error: LocalError<T>,
     /// How far the step had led from the constraints; zero for free bodies.
     pub drift: Drift<T>,
+    /// Iterations of an implicit step; zero for methods that need none.
+    pub iterations: usize,
 }
 
 /// What errors are measured by: a component of size x may be off by `absolute + relative |x|`.
@@ -81,6 +83,13 @@ pub enum StepError {
     },
     /// The mass matrix, with the implicit terms, is not positive definite: invariants or state are unphysical.
     MassNotPositive,
+    /// The equations of an implicit step were not solved within the iterations that it is allowed.
+    NotConverged {
+        /// Iterations done.
+        iterations: usize,
+        /// The last correction over what was tolerated: root mean square over the state. Units: 1.
+        residual: f64,
+    },
     /// The constraints could not be met again.
     ConstraintsNotMet {
         /// The joint with the largest residual, counted from zero.
@@ -108,6 +117,10 @@ impl fmt::Display for StepError {
                 }
             }
             Self::MassNotPositive => formatter.write_str("the mass matrix is not positive definite"),
+            Self::NotConverged { iterations, residual } => write!(
+                formatter,
+                "the step is not solved after {iterations} iterations: the last correction is {residual:.3e} times the tolerance"
+            ),
             Self::ConstraintsNotMet { joint, residual } => write!(
                 formatter,
                 "the constraints are not met: joint {joint} is off by {residual:.3e} (m or rad)"

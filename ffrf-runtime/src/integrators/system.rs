@@ -91,6 +91,85 @@ pub trait StiffSystem<T: RealField + Copy>: System<T> {
     ) -> Result<Self::Increment, StepError>;
 }
 
+/// A correction of the accelerations at the end of an implicit step, see [`ImplicitSystem::correction`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Correction<I> {
+    /// To add to the accelerations, at the places of the velocities' rates.
+    pub accelerations: I,
+    /// To add to the places, so that they meet the constraints when velocities are held to them as well; in the chart.
+    pub places: Option<I>,
+}
+
+/// A system whose equations at the end of a step can be solved for the accelerations there.
+pub trait ImplicitSystem<T: RealField + Copy>: StiffSystem<T> {
+    /// One quasi-Newton correction of `accelerations` at the end of a step, in the state that `increment` leads to.
+    ///
+    /// Takes away the residual f - M `accelerations` - Gᵀ λ and that of the constraints, with the matrix of a linearly
+    /// implicit stage; places change by `gamma_h`² and velocities by about `gamma_h` times a change of the accelerations.
+    /// `accelerations`: of all that moves, at the places of the velocities' rates; zero elsewhere. Units: `gamma_h` s.
+    ///
+    /// Errors: see [`StepError`].
+    fn correction(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+        accelerations: &Self::Increment,
+        gamma_h: T,
+    ) -> Result<Correction<Self::Increment>, StepError> {
+        let subtracted = elastic_at_rest(self, origin, increment, accelerations);
+        let rates = self.implicit_rates(time, origin, increment, gamma_h, Some(&subtracted))?;
+        Ok(Correction { accelerations: self.velocities_only(&rates), places: None })
+    }
+}
+
+/// A system whose equations are known between two states, such that momentum and energy are kept.
+pub trait ConservingSystem<T: RealField + Copy>: System<T> {
+    /// The change of the places over a step from `begin` in which velocities change by `velocities`; rates zero.
+    fn conserving_places(
+        &self,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Self::Increment;
+
+    /// One quasi-Newton correction of the change of the velocities over a step, at the places of the velocities; the change
+    /// of the places that belongs to `velocities` as they are beside it.
+    ///
+    /// Errors: see [`StepError`].
+    fn conserving_correction(
+        &self,
+        time: T,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Result<Self::Increment, StepError>;
+}
+
+/// What a linearly implicit stage has to subtract, so that its right-hand side is the residual of `accelerations`: with
+/// the rates of the places beside them its elastic forces do not look ahead.
+pub(crate) fn elastic_at_rest<S: System<T> + ?Sized, T: RealField + Copy>(
+    system: &S,
+    origin: &S::State,
+    increment: &S::Increment,
+    accelerations: &S::Increment,
+) -> S::Increment {
+    let mut subtracted = system.place_rates(origin, increment);
+    subtracted.add_scaled(T::one(), accelerations);
+    subtracted
+}
+
+/// The places that a change of velocities leads to in unit time.
+pub(crate) fn displaced<S: System<T> + ?Sized, T: RealField + Copy>(
+    system: &S,
+    origin: &S::State,
+    velocities: &S::Increment,
+) -> S::Increment {
+    let mut places = system.place_rates(origin, velocities);
+    places.add_scaled(-T::one(), &system.place_rates(origin, &system.no_change(origin)));
+    places
+}
+
 /// The last thing every step does: the new state with its report, or why there is none.
 pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     system: &S,
@@ -111,5 +190,5 @@ pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     if !system.is_finite(&state) {
         return Err(refused());
     }
-    Ok((state, super::StepReport { local_error: system.local_error(error), drift }))
+    Ok((state, super::StepReport { local_error: system.local_error(error), drift, iterations: 0 }))
 }

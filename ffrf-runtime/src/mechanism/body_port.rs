@@ -2,10 +2,10 @@
 
 use nalgebra::{RealField, Vector3, Vector6};
 
-use super::Port;
+use super::{Phase, Port};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, ModalVector,
-    Motion, PlacedMarker, State, Wrench,
+    Motion, PlacedMarker, Span, SpanMarker, State, Wrench,
 };
 use crate::integrators::StepError;
 
@@ -58,6 +58,8 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
     eliminated: Option<Eliminated<B::Modal, T>>,
     net: GeneralisedForce<B::Modal, T>,
     alone: B::Modal,
+    /// A step of the energy-momentum method, and what is shown of it.
+    span: Option<(Span<B::Modal, T>, Phase)>,
 }
 
 impl<'a, B, R, T> BodyPort<'a, B, R, T>
@@ -86,12 +88,18 @@ where
             eliminated: None,
             net: GeneralisedForce::zeros(&zeros),
             alone: zeros,
+            span: None,
         }
     }
 
     /// The rate of `increment`, which has led to this state, from the resulting accelerations.
+    ///
+    /// In a step of the energy-momentum method: the change of the places over the step, and the correction of velocities.
     pub fn rate(&self, increment: &Increment<B::Modal, T>) -> Increment<B::Modal, T> {
         let accelerations = self.motion.clone();
+        if let Some((span, _)) = &self.span {
+            return span.with_correction(&accelerations);
+        }
         match self.implicit {
             None => increment.rate(&self.state, accelerations),
             Some(ImplicitTerms { gamma_h, subtracted }) => {
@@ -102,6 +110,14 @@ where
 
     fn placed(&self, marker: usize) -> Option<PlacedMarker<'a, B::Modal, T>> {
         self.markers.get(marker).map(|marker| PlacedMarker::new(marker, &self.state))
+    }
+
+    fn generalised_force(&self, marker: usize, wrench: &Wrench<T>) -> Option<GeneralisedForce<B::Modal, T>> {
+        let marker = self.markers.get(marker)?;
+        Some(match &self.span {
+            Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
+            None => PlacedMarker::new(marker, &self.state).generalised_force(wrench),
+        })
     }
 
     fn twist(&self, marker: usize, motion: &Motion<B::Modal, T>) -> [Vector3<T>; 2] {
@@ -116,6 +132,12 @@ where
     T: RealField + Copy,
 {
     fn marker_motion(&self, marker: usize) -> MarkerMotion<T> {
+        if let (Some((span, phase)), Some(marker)) = (&self.span, self.markers.get(marker)) {
+            return match phase {
+                Phase::End => PlacedMarker::new(marker, &span.end).motion(&span.end),
+                Phase::Mean => SpanMarker::new(marker, span).motion(),
+            };
+        }
         match self.placed(marker) {
             Some(placed) => placed.motion(&self.state),
             None => MarkerMotion::fixed(self.state.position, self.state.orientation),
@@ -123,18 +145,40 @@ where
     }
 
     fn push(&mut self, marker: usize, wrench: &Wrench<T>) {
-        if let Some(placed) = self.placed(marker) {
-            self.force.add_scaled(T::one(), &placed.generalised_force(wrench));
+        if let Some(force) = self.generalised_force(marker, wrench) {
+            self.force.add_scaled(T::one(), &force);
         }
     }
 
     fn weigh(&mut self, gravity: &Vector3<T>) {
+        if let Some((span, _)) = &self.span {
+            self.force.add_scaled(T::one(), &span.weight(self.body, gravity));
+            return;
+        }
         let resolved = self.state.to_body(gravity);
         let weight = self.body.gravity_force(&self.state.modal_coordinates, &resolved);
         self.force.add_scaled(T::one(), &weight);
     }
 
+    fn conserve(&mut self, phase: Phase) {
+        match (&mut self.span, self.implicit) {
+            (Some((_, shown)), _) => *shown = phase,
+            (place, Some(ImplicitTerms { gamma_h, subtracted: Some(velocities) })) => {
+                let span = Span::new(&self.state, velocities, gamma_h + gamma_h);
+                self.state = span.middle.clone();
+                *place = Some((span, phase));
+            }
+            _ => {}
+        }
+    }
+
     fn factor(&mut self) -> Result<(), StepError> {
+        if let Some((span, _)) = &self.span {
+            let (stage, missing) = span.stage(self.body, &self.force).ok_or(StepError::MassNotPositive)?;
+            self.net = missing;
+            self.eliminated = Some(stage.eliminated);
+            return Ok(());
+        }
         let (body, state) = (self.body, &self.state);
         let eliminated = match self.implicit {
             None => {
@@ -159,10 +203,10 @@ where
     }
 
     fn attach(&mut self, slot: usize, marker: usize, gradient: &Wrench<T>) -> [T; 6] {
-        let (Some(placed), Some(eliminated)) = (self.placed(marker), &self.eliminated) else {
+        let (Some(force), Some(eliminated)) = (self.generalised_force(marker, gradient), &self.eliminated)
+        else {
             return [T::zero(); 6];
         };
-        let force = placed.generalised_force(gradient);
         let rigid = eliminated.reduced_force(&force);
         let weighted = eliminated.modal.solve(&force.modal);
         if let Some(row) = self.rows.as_mut().get_mut(slot) {

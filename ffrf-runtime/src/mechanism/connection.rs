@@ -20,14 +20,22 @@ pub struct Attachment<T: RealField + Copy = f64> {
 }
 
 impl<T: RealField + Copy> Attachment<T> {
+    /// A triad on the ground. Units: m. Frame: inertial.
+    pub fn on_ground(position: Vector3<T>, orientation: UnitQuaternion<T>) -> Self {
+        Self { body: None, marker: 0, position, orientation }
+    }
+
+    /// A triad at a marker of a body, with this orientation in that of the marker.
+    pub fn on_body(body: usize, marker: usize, orientation: UnitQuaternion<T>) -> Self {
+        Self { body: Some(body), marker, position: Vector3::zeros(), orientation }
+    }
+
     /// Place and motion of the attached triad.
     pub fn motion(&self, ports: &dyn Ports<T>) -> MarkerMotion<T> {
         let Some(port) = self.body.and_then(|body| ports.port(body)) else {
             return MarkerMotion::fixed(self.position, self.orientation);
         };
-        let mut motion = port.marker_motion(self.marker);
-        motion.orientation *= self.orientation;
-        motion
+        port.marker_motion(self.marker).turned(&self.orientation)
     }
 }
 

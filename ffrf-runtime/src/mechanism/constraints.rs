@@ -11,7 +11,8 @@ use crate::relations::Rows;
 /// How redundant rows are dealt with: the proximal method, exact for consistent redundant rows, reactions of least norm.
 ///
 /// The factored matrix has μ subtracted from the diagonal of the rows, and a fixed number of refinements takes its effect
-/// out again. Source: Carpentier, Budhiraja, Mansard, Proximal and sparse resolution of constrained dynamic equations,
+/// out again; since each begins with what the equations leave over, they also take out what an elimination without pivots
+/// loses. Source: Carpentier, Budhiraja, Mansard, Proximal and sparse resolution of constrained dynamic equations,
 /// RSS 2021.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Regularisation<T = f64> {
@@ -21,16 +22,32 @@ pub struct Regularisation<T = f64> {
     pub refinements: usize,
 }
 
+impl<T: RealField + Copy> Regularisation<T> {
+    /// For mechanisms whose joints close loops: 1e-9 and two refinements in double precision, 1e-3 and three in single.
+    ///
+    /// Measured on a four-bar linkage that passes its singular position: these equal an exact solution there.
+    pub fn of_loops() -> Self {
+        let share = if T::default_epsilon() < nalgebra::convert(1e-10) { 1e-9 } else { 1e-3 };
+        let refinements = if share < 1e-6 { 2 } else { 3 };
+        Self { share: nalgebra::convert(share), refinements }
+    }
+
+    /// For trees, whose rows are never redundant: nothing is added, nothing to refine.
+    pub fn of_trees() -> Self {
+        Self { share: T::zero(), refinements: 0 }
+    }
+}
+
 /// The numbers of one evaluation of a mechanism; sizes as its plan says.
 #[derive(Debug)]
 pub struct Storage<'a, T: RealField + Copy> {
-    /// Entries of the matrix, then of its factors.
+    /// Entries of the matrix, which become those of its factors; then once more those of the matrix, which stay.
     pub values: &'a mut [T],
     /// Unknowns: accelerations of frames and *negative* multipliers.
     pub solution: &'a mut [T],
-    /// Right-hand side.
+    /// Right-hand side; after a solve, what the equations leave over before the last correction.
     pub right: &'a mut [T],
-    /// μ of each row, at the place of its multiplier.
+    /// μ of each row, at the place of its multiplier, while factoring; corrections of the solution while solving.
     pub shift: &'a mut [T],
     /// Rows of each joint.
     pub rows: &'a mut [Rows<T>],
@@ -45,6 +62,28 @@ pub enum Level {
     Position,
     /// Velocities that take the rate of the residual away.
     Velocity,
+}
+
+/// What the accelerations that are solved for do to the residuals g of the rows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target<T = f64> {
+    /// g̈ = -2 a ġ - b² g, where `gains` are 2 a and b² (Baumgarte); zero to keep ġ as it is. Units: 1/s and 1/s².
+    Acceleration {
+        /// 2 a and b².
+        gains: [T; 2],
+    },
+    /// Correction of accelerations that act for this long on velocities: takes ġ away. Units: s.
+    Velocity {
+        /// What a change of the accelerations is multiplied by to change velocities.
+        share: T,
+    },
+    /// As [`Constraints::aim`] has stored it.
+    Aimed,
+    /// Correction of accelerations that act so on places: takes g away. Units: s².
+    Position {
+        /// What a change of the accelerations is multiplied by to change places.
+        share: T,
+    },
 }
 
 /// A mechanism in one state: its bodies, joints and numbers.
@@ -97,7 +136,15 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 }
             }
         }
-        self.plan.elimination.factor(self.storage.values).ok_or(StepError::MassNotPositive)
+        let (factors, matrix) = halves(self.storage.values);
+        copy(matrix, factors);
+        for place in self.plan.joints {
+            for k in 0..place.rows {
+                let shift = get(self.storage.shift, place.unknowns + k);
+                add(factors, place.diagonal + (place.rows + 1) * k, -shift);
+            }
+        }
+        self.plan.elimination.factor(factors).ok_or(StepError::MassNotPositive)
     }
 
     /// The rows of one joint: their effects on frames, the compliance of modes, and μ.
@@ -134,15 +181,12 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 }
             }
         }
-        for k in 0..place.rows {
-            let shift = get(self.storage.shift, place.unknowns + k);
-            add(self.storage.values, place.diagonal + (place.rows + 1) * k, -shift);
-        }
     }
 
-    /// Accelerations of every body and multipliers, in the factored state. `baumgarte`: gains 2 a and b² of the rates and
-    /// residuals that are taken into account; zero for none.
-    pub fn accelerate(&mut self, baumgarte: [T; 2]) {
+    /// Accelerations of every body and multipliers, in the factored state.
+    ///
+    /// With accelerations subtracted (see [`ImplicitTerms`](super::ImplicitTerms)), what is found is their correction.
+    pub fn accelerate(&mut self, target: Target<T>) {
         for (index, place) in self.plan.bodies.iter().enumerate() {
             let Some(port) = self.ports.port_mut(index) else { continue };
             for (i, entry) in port.reduced_force().iter().enumerate() {
@@ -157,24 +201,44 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             };
             let [first, second] = ends;
             for (k, row) in rows.as_slice().iter().enumerate() {
-                let mut wanted = -row.whole_bias(first, second)
-                    - baumgarte[0] * row.velocity(first, second)
-                    - baumgarte[1] * row.residual;
+                let mut wanted = match target {
+                    Target::Acceleration { gains } => {
+                        -row.whole_bias(first, second)
+                            - gains[0] * row.velocity(first, second)
+                            - gains[1] * row.residual
+                    }
+                    Target::Velocity { share } => -row.velocity(first, second) / share,
+                    Target::Position { share } => -row.residual / share,
+                    Target::Aimed => get(self.storage.right, place.unknowns + k),
+                };
                 for (side, end) in place.ends.iter().enumerate() {
                     let Some(end) = end else { continue };
                     let Some(port) = self.ports.port(end.body) else { continue };
-                    let (marker, gradient) = if side == 0 {
-                        (connection.first.marker, &row.first)
-                    } else {
-                        (connection.second.marker, &row.second)
-                    };
-                    let [linear, angular] = port.subtracted_twist(marker);
-                    wanted -= port.modal_acceleration(end.slot + k) + gradient.power(&linear, &angular);
+                    wanted -= port.modal_acceleration(end.slot + k);
+                    if matches!(target, Target::Acceleration { .. }) {
+                        let (marker, gradient) = if side == 0 {
+                            (connection.first.marker, &row.first)
+                        } else {
+                            (connection.second.marker, &row.second)
+                        };
+                        let [linear, angular] = port.subtracted_twist(marker);
+                        wanted -= gradient.power(&linear, &angular);
+                    }
                 }
                 set(self.storage.right, place.unknowns + k, wanted);
             }
         }
         self.solve();
+    }
+
+    /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
+    /// [`accelerate`](Self::accelerate). `share`: what a change of the unknowns is multiplied by to change places.
+    pub fn aim(&mut self, share: T) {
+        for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter()) {
+            for (k, row) in rows.as_slice().iter().enumerate() {
+                set(self.storage.right, place.unknowns + k, -row.residual / share);
+            }
+        }
     }
 
     /// Displacements or changes of velocity of least kinetic energy that take the residuals of a level away, to first order.
@@ -202,21 +266,19 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     }
 
     fn solve(&mut self) {
-        let Storage { values, solution, right, shift, .. } = &mut *self.storage;
-        solution.copy_from_slice_within(right);
-        self.plan.elimination.solve(values, solution);
+        let Storage { values, solution, right, shift: correction, .. } = &mut *self.storage;
+        let (factors, matrix) = halves(values);
+        let elimination = &self.plan.elimination;
+        copy(solution, right);
+        elimination.solve(factors, solution);
+        copy(correction, solution);
         for _ in 0..self.regularisation.refinements {
-            for place in self.plan.joints {
-                for k in place.unknowns..place.unknowns + place.rows {
-                    set(solution, k, get(right, k) - get(shift, k) * get(solution, k));
-                }
+            elimination.subtract_product(matrix, correction, right);
+            copy(correction, right);
+            elimination.solve(factors, correction);
+            for (sum, change) in solution.iter_mut().zip(correction.iter()) {
+                *sum += *change;
             }
-            for place in self.plan.bodies {
-                for k in place.unknowns..place.unknowns + 6 {
-                    set(solution, k, get(right, k));
-                }
-            }
-            self.plan.elimination.solve(values, solution);
         }
         for (index, place) in self.plan.bodies.iter().enumerate() {
             let rigid = core::array::from_fn(|i| get(solution, place.unknowns + i));
@@ -259,16 +321,16 @@ fn is_worse<T: RealField + Copy>(residual: T, largest: T) -> bool {
     residual > largest || (largest.is_finite() && !residual.is_finite())
 }
 
-trait CopyWithin<T> {
-    fn copy_from_slice_within(&mut self, from: &[T]);
+/// The factors and the matrix.
+fn halves<T>(values: &mut [T]) -> (&mut [T], &mut [T]) {
+    let half = values.len() / 2;
+    values.split_at_mut(half)
 }
 
-impl<T: Copy> CopyWithin<T> for [T] {
-    /// Copies as many as both have.
-    fn copy_from_slice_within(&mut self, from: &[T]) {
-        for (place, value) in self.iter_mut().zip(from) {
-            *place = *value;
-        }
+/// Copies as many as both have.
+fn copy<T: Copy>(to: &mut [T], from: &[T]) {
+    for (place, value) in to.iter_mut().zip(from) {
+        *place = *value;
     }
 }
 

@@ -167,6 +167,35 @@ impl<'a> Elimination<'a> {
     }
 }
 
+impl Elimination<'_> {
+    /// Subtracts the product of a matrix that is not factored with `unknowns` from `right`.
+    pub fn subtract_product<T: RealField + Copy>(&self, matrix: &[T], unknowns: &[T], right: &mut [T]) {
+        for (index, step) in self.steps.iter().enumerate() {
+            let n = step.size;
+            let mut own = [T::zero(); LARGEST_NODE];
+            read(unknowns, step.unknowns, &mut own, n);
+            let mut left = [T::zero(); LARGEST_NODE];
+            read(right, step.unknowns, &mut left, n);
+            let diagonal = matrix.get(step.diagonal..).unwrap_or(&[]);
+            for (entry, row) in left.iter_mut().zip(diagonal.chunks_exact(n).take(n)) {
+                *entry -= product(row, &own);
+            }
+            for coupling in self.couplings_of(index, step) {
+                let rows = matrix.get(coupling.block..coupling.block + coupling.size * n).unwrap_or(&[]);
+                let others = unknowns.get(coupling.unknowns..).unwrap_or(&[]);
+                let later = right.get_mut(coupling.unknowns..).unwrap_or(&mut []);
+                for ((row, other), entry) in rows.chunks_exact(n).zip(others).zip(later) {
+                    *entry -= product(row, &own);
+                    for (entry, factor) in left.iter_mut().zip(row) {
+                        *entry -= *factor * *other;
+                    }
+                }
+            }
+            write(right, step.unknowns, &left, n);
+        }
+    }
+}
+
 /// L D Lᵀ of the leading n x n block, row by row; the smallest |pivot| relative to the diagonal entry it came from.
 fn factor_block<T: RealField + Copy>(block: &mut [T], n: usize) -> Option<T> {
     let mut smallest = T::one();

@@ -1,18 +1,33 @@
 //! Mechanisms: bodies, joints and forces as one system.
 
+mod assemble;
 mod assembly;
 mod body_port;
 mod cast;
 mod connection;
+mod constrained;
 mod constraints;
+mod drive;
+mod element;
 mod elimination;
+#[doc(hidden)]
+pub mod generated;
+mod moving;
 mod plan;
 mod port;
+mod sensing;
+mod triads;
 
-pub use assembly::{Assembly, Constrained, Treatment};
+pub use assembly::{Assembly, Treatment};
 pub use body_port::{AttachedRow, BodyPort, ImplicitTerms};
 pub use connection::{Attachment, Connection};
-pub use constraints::{Constraints, Level, Regularisation, Storage};
+pub use constrained::Constrained;
+pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
+pub use drive::{Drive, MOST_COEFFICIENTS, polynomial};
+pub use element::Element;
 pub use elimination::{Coupling, Elimination, LARGEST_NODE, Step};
+pub use moving::{Mechanism, NotAssembled};
 pub use plan::{Block, BodyPlace, EndPlace, JointPlace, Plan, SharedPlace};
-pub use port::{Port, Ports};
+pub use port::{Phase, Port, Ports};
+pub use sensing::{acceleration, reaction};
+pub use triads::{along_axis, second_triad, turn_about};

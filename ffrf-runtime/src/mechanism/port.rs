@@ -5,6 +5,15 @@ use nalgebra::{RealField, Vector3};
 use crate::body::{MarkerMotion, Wrench};
 use crate::integrators::StepError;
 
+/// What a body in a step of the energy-momentum method shows of its markers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// The end of the step.
+    End,
+    /// Means over the step, and forces that do exactly the work of displacements.
+    Mean,
+}
+
 /// One body in one state, prepared for joints. An object: joints, forces and sensors are compiled once for all bodies.
 pub trait Port<T: RealField + Copy> {
     /// Place and motion of a marker.
@@ -13,6 +22,11 @@ pub trait Port<T: RealField + Copy> {
     fn push(&mut self, marker: usize, wrench: &Wrench<T>);
     /// Adds uniform gravity (m/s², inertial) to the force on the body.
     fn weigh(&mut self, gravity: &Vector3<T>);
+    /// From now on this body is in a step of the energy-momentum method: its state was the beginning, and what a stage would
+    /// subtract is the change of its velocities. Without effect on bodies that have been given none.
+    fn conserve(&mut self, phase: Phase) {
+        let _ = phase;
+    }
     /// Prepares deformed quantities and factors; before this, wrenches can be pushed and markers read.
     ///
     /// Errors: the modal mass is not positive definite.

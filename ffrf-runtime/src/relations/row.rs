@@ -78,7 +78,8 @@ impl<T: RealField + Copy> Rows<T> {
     }
 }
 
-/// The columns of a rotation matrix: the axes of a triad. Frame: inertial.
+/// The axes of a triad. Frame: inertial.
 pub(crate) fn axes<T: RealField + Copy>(motion: &MarkerMotion<T>) -> [Vector3<T>; 3] {
-    [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| motion.orientation.transform_vector(&axis))
+    let axes = &motion.axes;
+    [axes.column(0).into(), axes.column(1).into(), axes.column(2).into()]
 }

@@ -14,6 +14,8 @@ pub mod bodies;
 #[cfg(feature = "runtime")]
 pub mod convergence;
 #[cfg(feature = "runtime")]
+pub mod every_joint;
+#[cfg(feature = "runtime")]
 pub mod held;
 #[cfg(feature = "runtime")]
 pub mod naive_body;

@@ -89,6 +89,7 @@ fn body(masses: &[f64], positions: &Field, fields: &[Field], random: &mut Random
             tool: "ffrf".to_owned(),
             tool_version: "0.1.0".to_owned(),
             sources: Vec::new(),
+            notes: Vec::new(),
         },
         modes: (0..count)
             .map(|mu| Mode { kind: ModeKind::User, frequency_hz: (mu > 0).then_some(12.5 * mu as f64) })

@@ -21,6 +21,7 @@ mod writer;
 use self::expression::expression;
 use self::function::function;
 use self::writer::Writer;
+use super::units::UnitNames;
 use super::{Subject, banner, listing};
 use crate::layout::Layout;
 use crate::validate::ValidKernel;
@@ -45,8 +46,8 @@ struct Parameters<'a> {
 /// The whole text of a body.
 pub(super) fn body(subject: &Subject<'_>, kernels: &[ValidKernel]) -> String {
     let Subject { model, report, options, .. } = subject;
-    let mut writer = Writer::default();
-    for line in banner::banner(options, report) {
+    let mut writer = Writer::new(UnitNames::of(*model));
+    for line in banner::banner(options, report, model.map(|model| model.units.as_str())) {
         writer.line(format!("// {line}"));
     }
     writer.blank();

@@ -1,16 +1,24 @@
 //! Lines with their indentation.
 
+use crate::emit::units::UnitNames;
+
 /// Width of generated lines.
 pub(super) const LINE_WIDTH: usize = 110;
 
 /// Text that grows line by line.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Writer {
     text: String,
     depth: usize,
+    units: UnitNames,
 }
 
 impl Writer {
+    /// No text yet; documentation will name these units.
+    pub(super) fn new(units: UnitNames) -> Self {
+        Self { text: String::new(), depth: 0, units }
+    }
+
     /// The text.
     pub(super) fn finish(self) -> String {
         self.text
@@ -32,10 +40,10 @@ impl Writer {
         self.text.push('\n');
     }
 
-    /// Lines of documentation.
+    /// Lines of documentation, written in SI units.
     pub(super) fn documentation<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
         for line in lines {
-            self.line(format!("/// {}", line.as_ref()));
+            self.line(format!("/// {}", self.units.replace_in(line.as_ref())));
         }
     }
 

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use super::matrix_file;
 use crate::import::ImportError;
+use crate::import::error::shown;
 use crate::import::matrix::entries::skip_blank_or_comment;
 use crate::import::matrix::raw_matrix::{Numbering, RawMatrix};
 use crate::import::nodes::NodeLookup;
@@ -77,11 +78,7 @@ pub(crate) fn read_matrix(
     if matrix.size != map.dofs.len() {
         return Err(ImportError::SizeMismatch {
             path,
-            expected: format!(
-                "a matrix of {} rows, as {} lists",
-                map.dofs.len(),
-                map.source.path().display()
-            ),
+            expected: format!("a matrix of {} rows, as {} lists", map.dofs.len(), shown(map.source.path())),
             found: matrix.size,
             what: "rows",
         });

@@ -6,9 +6,9 @@ use faer::Mat;
 
 use super::matrix_file::read_dense;
 use crate::import::matrix::raw_matrix::{Dense, ShapeCheck};
-use crate::import::matrix::symmetric::SYMMETRY_TOLERANCE;
 use crate::import::text::source::Source;
 use crate::import::{INFLATED_LIMIT, ImportError};
+use crate::tolerances::SYMMETRY_TOLERANCE;
 
 /// Values of mode shapes up to which they are read: 4 GB.
 const DENSE_VALUES: usize = 1 << 29;

@@ -3,12 +3,12 @@
 use std::collections::HashSet;
 use std::io::{Cursor, Read};
 
+use ffrf_model::printable;
 use npyz::{DType, NpyFile, Order, TypeChar};
 
 use super::npz_archive::NpzArchive;
 use super::{npy_header, text_table};
 use crate::import::ImportError;
-use crate::import::error::printable;
 use crate::import::matrix::entries::Entries;
 use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, ShapeCheck, Storage};
 use crate::import::nodes::NodeTable;

@@ -14,10 +14,7 @@ use super::large_definiteness::{lowest_minor, lowest_ritz_value};
 use super::symmetric::sparse;
 use crate::SparseMatrix;
 use crate::import::ImportError;
-
-/// Negative eigenvalues of the matrix scaled to unit diagonal down to minus this are round-off: exports print 14
-/// digits and more, and the factorisation of a few 100,000 rows adds about 1e-12.
-pub(crate) const DEFINITENESS_TOLERANCE: f64 = 1e-9;
+use crate::tolerances::{DEFINITENESS_TOLERANCE, VANISHING_PIVOT};
 
 /// Entries of the factor up to which the check factorises: about 160 MB and a second. Larger matrices are
 /// factorised by the mode computation anyway, with a count of the eigenvalues below zero; here they get the cheap
@@ -26,11 +23,13 @@ const FACTOR_ENTRIES: usize = 20_000_000;
 
 /// Refuses a matrix with an eigenvalue below `-DEFINITENESS_TOLERANCE` after scaling to unit diagonal. Rows of
 /// zeros (massless nodes, held degrees of freedom) pass.
+///
+/// Hands back how many pivots vanish, rows of zeros not counted; `None` for a matrix too large to be factorised here.
 pub(crate) fn refuse_indefinite(
     matrix: &SparseMatrix,
     role: &'static str,
     path: &Path,
-) -> Result<(), ImportError> {
+) -> Result<Option<usize>, ImportError> {
     let size = matrix.nrows();
     let failure =
         |reason: String| ImportError::Factorization { path: path.to_path_buf(), role, size, reason };
@@ -42,6 +41,7 @@ pub(crate) fn refuse_indefinite(
         CholeskySymbolicParams::default(),
     )
     .map_err(|error| failure(error.to_string()))?;
+    let mut vanishing = None;
     let (negative, row, pivot) = if symbolic.len_val() > FACTOR_ENTRIES {
         let minor = lowest_minor(&scaled);
         let ritz = lowest_ritz_value(&scaled).unwrap_or(f64::INFINITY);
@@ -50,11 +50,12 @@ pub(crate) fn refuse_indefinite(
     } else {
         let pivots = pivots(&scaled, &symbolic).map_err(failure)?;
         let negative = pivots.iter().filter(|&&(_, pivot)| pivot.is_nan() || pivot <= 0.0).count();
+        vanishing = Some(pivots.iter().filter(|&&(_, pivot)| pivot < VANISHING_PIVOT).count());
         let lowest = pivots.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
         lowest.map_or((0, 0, 0.0), |(row, pivot)| (negative, row, pivot))
     };
     if negative == 0 {
-        return Ok(());
+        return Ok(vanishing);
     }
     Err(ImportError::Indefinite {
         path: path.to_path_buf(),
@@ -173,7 +174,7 @@ mod tests {
 
     fn negative(matrix: &SparseMatrix) -> usize {
         match refuse_indefinite(matrix, "stiffness", Path::new("k.mtx")) {
-            Ok(()) => 0,
+            Ok(_) => 0,
             Err(ImportError::Indefinite { negative, .. }) => negative,
             Err(other) => panic!("{other}"),
         }
@@ -204,9 +205,13 @@ mod tests {
             values[end] = 1.0;
         }
         assert_eq!(negative(&free), 0, "a free chain has the eigenvalue zero");
+        let vanishing =
+            |matrix: &SparseMatrix| refuse_indefinite(matrix, "mass", Path::new("m.mtx")).unwrap();
+        assert_eq!(vanishing(&free), Some(1));
+        assert_eq!(vanishing(&tridiagonal(30, 2.01)), Some(0));
         let empty =
             SparseMatrix::try_new_from_triplets(3, 3, &[faer::sparse::Triplet::new(1, 1, 2.0)]).unwrap();
-        assert_eq!(negative(&empty), 0);
+        assert_eq!((negative(&empty), vanishing(&empty)), (0, Some(0)));
         let coupled = [(0, 1, 1.0), (1, 0, 1.0), (1, 1, 1.0)];
         let coupled = coupled.map(|(row, column, value)| faer::sparse::Triplet::new(row, column, value));
         assert_eq!(negative(&SparseMatrix::try_new_from_triplets(2, 2, &coupled).unwrap()), 1);

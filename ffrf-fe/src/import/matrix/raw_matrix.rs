@@ -65,10 +65,8 @@ impl RawMatrix {
             _ => return None,
         };
         let (size, entries) = (self.size, self.entries.len());
-        let path = self.source.path().display();
-        Some(Note::reading(format!(
-            "{path}: a list without a header, read as {form} with {entries} entries of {size} rows"
-        )))
+        let text = format!("a list without a header, read as {form} with {entries} entries of {size} rows");
+        Some(Note::reading(text).about(self.source.path()))
     }
 
     /// Checks a declared shape.

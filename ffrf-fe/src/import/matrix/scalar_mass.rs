@@ -6,10 +6,7 @@ use super::symmetric::sparse;
 use crate::SparseMatrix;
 use crate::import::ImportError;
 use crate::import::nodes::NodeTable;
-
-/// Largest deviation of M_FE from M_s ⊗ I3, relative to its largest entry. Displacement elements with consistent
-/// or lumped mass are isotropic to the digits printed (14 and more); rotary or added directional masses are not.
-pub(crate) const ISOTROPY_TOLERANCE: f64 = 1e-9;
+use crate::tolerances::ISOTROPY_TOLERANCE;
 
 /// The scalar mass matrix and what was lost by taking it.
 pub(crate) struct ScalarMass {

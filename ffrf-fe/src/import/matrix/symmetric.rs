@@ -9,10 +9,7 @@ use super::sparse_lines::{LineKind, SparseLines};
 use super::triangles::{self, Agreement};
 use crate::SparseMatrix;
 use crate::import::ImportError;
-
-/// Largest difference of mirrored entries, relative to the largest entry of the matrix. FE codes print 14 to 17
-/// digits, so mirrored entries agree to 1e-13; a wrong entry differs by far more.
-pub(crate) const SYMMETRY_TOLERANCE: f64 = 1e-9;
+use crate::tolerances::SYMMETRY_TOLERANCE;
 
 impl SparseLines {
     /// The symmetric matrix with both triangles, or the worst asymmetry.

@@ -11,12 +11,12 @@ use crate::import::matrix::scalar_mass::{ScalarMass, scalar_mass};
 use crate::import::matrix::sparse_lines::SparseLines;
 use crate::import::nodes::NodeTable;
 use crate::import::{ImportError, ImportOptions, MassForm, Note};
-
-/// Abaqus writes 1e36 on the diagonal of degrees of freedom that boundary conditions hold.
-const HELD_DIAGONAL: f64 = 1e35;
+use crate::tolerances::HELD_DIAGONAL;
 
 /// The checked parts of a model.
 pub(crate) struct Assembled {
+    /// Vanishing pivots of M_s, of which a sound mass has none; `None` if they were not computed.
+    pub(crate) vanishing_mass: Option<usize>,
     pub(crate) mass: ScalarMass,
     pub(crate) stiffness: Option<SparseMatrix>,
     pub(crate) fixed_dofs: Vec<usize>,
@@ -81,7 +81,7 @@ pub(crate) fn assemble(
         scalar_mass(&full, &known, table, path)?
     };
     refuse_massless(&scalar.matrix, path)?;
-    refuse_indefinite(&scalar.matrix, "mass", path)?;
+    let vanishing_mass = refuse_indefinite(&scalar.matrix, "mass", path)?;
     let coverage = Coverage {
         table,
         mass: &scalar.matrix,
@@ -96,7 +96,7 @@ pub(crate) fn assemble(
         rigid_motion::compare(&table.nodes, stiffness, path, notes);
     }
     let fixed_dofs = (0..dofs).filter(|&dof| held[dof]).collect();
-    Ok(Assembled { mass: scalar, stiffness, fixed_dofs })
+    Ok(Assembled { vanishing_mass, mass: scalar, stiffness, fixed_dofs })
 }
 
 /// Takes the entries, sorts them and finds the held degrees of freedom; in a stiffness their rows become zero.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::assemble::Settled;
 use crate::import::nodes::NodeTable;
+use crate::import::note::file_name;
 use crate::import::{ImportError, Note};
 use crate::{Nodes, SparseMatrix};
 
@@ -80,7 +81,8 @@ impl Coverage<'_> {
         let (count, listed) = (lacking.len(), self.ids(lacking));
         if allowed {
             let verb = if count == 1 { "node has" } else { "nodes have" };
-            notes.push(Note::warning(format!("{count} {verb} {has} and no {lacks} ({listed}), as allowed")));
+            let text = format!("{count} {verb} {has} and no {lacks} ({listed}), as allowed");
+            notes.push(Note::warning(text).about(path));
             return Ok(());
         }
         Err(ImportError::OneSidedNodes { path: path.to_path_buf(), count, listed, has, lacks })
@@ -124,14 +126,14 @@ impl Coverage<'_> {
         }
         if let Some((a, b)) = example {
             let Nodes { ids, .. } = &self.table.nodes;
-            notes.push(Note::warning(format!(
-                "{}: the mass couples nodes {} and {} ({pairs} such pairs), which {} does not: are both matrices in the \
-                 order of the same nodes?",
-                self.mass_path.display(),
+            let text = format!(
+                "the mass couples nodes {} and {} ({pairs} such pairs), which {} does not: are both matrices in the order \
+                 of the same nodes?",
                 ids[a],
                 ids[b],
-                stiffness_path.display()
-            )));
+                file_name(stiffness_path)
+            );
+            notes.push(Note::warning(text).about(self.mass_path));
         }
     }
 }

@@ -3,15 +3,8 @@
 use std::path::Path;
 
 use crate::import::Note;
+use crate::tolerances::{ROTATION_FORCE, TRANSLATION_FORCE};
 use crate::{Nodes, SparseMatrix};
-
-/// Force of a rigid rotation over that of its parts, |K r| / (|K| |r|), up to which nothing is said. Coordinates and
-/// matrices printed to 14 digits give 1e-14; 8 digits give about 1e-8; a coordinate off by 0.1 % gives 4e-5.
-const USUAL: f64 = 1e-7;
-
-/// A translation needs no force whatever the coordinates are: nodes with more than this, relative, are held by
-/// something outside, or are neighbours of held ones, and say nothing about coordinates.
-const TRANSLATION: f64 = 1e-9;
 
 /// A node and how far it is from where the stiffness wants it.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +26,7 @@ pub(super) fn compare(nodes: &Nodes, stiffness: &SparseMatrix, path: &Path, note
         let motion: Vec<f64> = (0..3 * count).map(|dof| if dof % 3 == axis { 1.0 } else { 0.0 }).collect();
         let (force, scale) = product(stiffness, &motion);
         for dof in 0..3 * count {
-            silent[dof] |= force[dof].abs() > TRANSLATION * scale[dof];
+            silent[dof] |= force[dof].abs() > TRANSLATION_FORCE * scale[dof];
         }
     }
     let mut residual = 0.0_f64;
@@ -60,17 +53,17 @@ pub(super) fn compare(nodes: &Nodes, stiffness: &SparseMatrix, path: &Path, note
         forces.push(force);
     }
     // The comparison this way also passes over numbers that overflow.
-    if residual > USUAL
+    if residual > ROTATION_FORCE
         && let Some(Misplaced { node, offset }) = farthest(stiffness, &forces, count)
     {
         let [x, y, z] = offset;
-        notes.push(Note::warning(format!(
+        let text = format!(
             "turning the part as a rigid body needs force: {residual:.1e} of what its stiffness could, where 1e-14 is \
              usual. Node {} moves most, as if its position were off by ({x:.1e}, {y:.1e}, {z:.1e}). Does the node \
-             table belong to {}, and has it all digits?",
-            nodes.ids[node],
-            path.display()
-        )));
+             table belong to this matrix, and has it all digits?",
+            nodes.ids[node]
+        );
+        notes.push(Note::warning(text).about(path));
     }
 }
 

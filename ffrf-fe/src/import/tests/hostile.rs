@@ -3,13 +3,6 @@
 use super::*;
 use crate::import::{ImportOptions, read_mode_shapes, read_model_with, read_square_matrix};
 
-#[track_caller]
-fn assert_parts(message: &str, parts: &[&str]) {
-    for part in parts {
-        assert!(message.contains(part), "`{message}` lacks `{part}`");
-    }
-}
-
 fn deck(text: &str) -> Result<FeModel, ImportError> {
     let mass = "%%MatrixMarket matrix coordinate real symmetric\n2 2 2\n1 1 2\n2 2 2\n";
     let folder = Folder::new(&[("part.inp", text), ("m.mtx", mass)]);
@@ -158,26 +151,4 @@ fn control_characters_of_a_file_are_escaped() {
         assert!(message.contains("\\u{1b}"), "{message:?}");
         assert!(!message.contains(char::is_control), "{message:?}");
     }
-}
-
-/// What CalculiX does with element types that its export is not made for.
-#[test]
-fn element_types_that_make_trouble_are_named() {
-    let part = |element: &str, nodes: &str, dof: &str| {
-        let deck = format!("*NODE\n1,0,0,0\n2,1,0,0\n*ELEMENT, TYPE={element}\n{nodes}\n");
-        let matrix = list(&full_mass(), |i, j| i <= j).join("\n") + "\n";
-        let folder = Folder::new(&[("rod.inp", &deck), ("rod.dof", dof), ("rod.mas", &matrix)]);
-        let nodes = NodeSource::Calculix(folder.path("rod.inp"));
-        read_model_with(&ModelFiles { nodes, mass: None, stiffness: None }, &ImportOptions::default())
-    };
-    let dofs = "1.1\n1.2\n1.3\n2.1\n2.2\n2.3\n";
-    let message = part("C3D8I", "1, 1,1,1,1,2,2,2,2", &(dofs.to_owned() + "3.1\n")).unwrap_err().to_string();
-    assert_parts(
-        &message,
-        &["rod.inp:4: element type C3D8I:", "internal nodes", "rod.dof:7:", "found node 3"],
-    );
-    let quadratic = "1, 1,1,1,1,2,2,2,2,1,1,1,1,2,2,2,2,1,1,1,1";
-    let notes = part("C3D20R", quadratic, dofs).unwrap().notes;
-    assert_parts(&notes[0].to_string(), &["warning: ", "rod.inp:4: element type C3D20R", "singular"]);
-    assert!(part("C3D20", quadratic, dofs).unwrap().notes.is_empty());
 }

@@ -1,6 +1,7 @@
 //! Tests of whole imports: formats against each other, defects, real exports.
 
 mod defects;
+mod element_types;
 mod exports;
 mod formats;
 mod held;
@@ -80,4 +81,11 @@ fn assert_is_the_pair(model: &FeModel) {
     assert_eq!(dense(model.stiffness.as_ref().unwrap()), stiffness());
     assert_eq!(model.mass_anisotropy, 0.0);
     assert!(model.fixed_dofs.is_empty());
+}
+
+#[track_caller]
+fn assert_parts(message: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(message.contains(part), "`{message}` lacks `{part}`");
+    }
 }

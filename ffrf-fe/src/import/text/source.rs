@@ -4,13 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::JoinHandle;
 
-use ffrf_model::SourceFile;
+use ffrf_model::{SourceFile, printable};
 use sha2::{Digest, Sha256};
 
 use super::compressed::{inflate, is_compressed, stored_path};
 use super::cursor::{Defect, DefectKind};
 use crate::import::ImportError;
-use crate::import::error::printable;
 
 /// Longest excerpt of a file that an error message quotes.
 const EXCERPT: usize = 60;

@@ -1,0 +1,12 @@
+//! Mechanisms of random bodies and joints against slow, independent forms and against laws of physics.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+mod accelerations;
+mod bodies;
+mod dense;
+mod graphs;
+mod power;
+mod reactions;
+mod redundant;
+mod tolerances;
+mod witness;

@@ -1,0 +1,355 @@
+//! What integrators need of a mechanism: the implementation of `Assembly`.
+
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+use super::plan::plan;
+use super::{Names, markers_of, slice, slice_mut};
+use crate::mechanism::bodies::Body;
+use crate::mechanism::scalar::Scalar;
+use crate::mechanism::spec::Spec;
+
+/// The implementations of `Ports` and `Assembly`, with the constants of the plan.
+pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
+    let Names { model, state, increment, ports } = names;
+    let (bound, used, t) = (spec.scalar.bound(), spec.scalar.used(), spec.scalar.name());
+    let (constants, plan_expression) = plan(&spec.plan);
+    let of_ports = ports_of(ports, spec);
+    let lifetime_and_type = match spec.scalar {
+        Scalar::Generic => quote! { <'a, T> },
+        _ => quote! { <'a> },
+    };
+    let (joints, values, unknowns) = (spec.connections, spec.plan.value_count, spec.plan.unknown_count);
+    let made = spec.bodies.iter().map(|body| port(body, spec));
+    let each = |owner: &str, action: TokenStream| {
+        let owner: TokenStream = syn::Ident::new(owner, proc_macro2::Span::call_site()).into_token_stream();
+        let loops = spec.bodies.iter().map(move |body| {
+            let items = slice_mut(body, &owner);
+            (items, body)
+        });
+        let loops = loops.map(|(items, _)| quote! { for port in #items { #action } });
+        quote! { #(#loops)* }
+    };
+    let pairs = |own: &str, other: &str, action: TokenStream| {
+        let (own, other) = (ident(own), ident(other));
+        let loops = spec.bodies.iter().map(|body| {
+            let (own, other) = (slice_mut(body, &own), slice(body, &other));
+            quote! { for (own, other) in #own.iter_mut().zip(#other) { #action } }
+        });
+        quote! { #(#loops)* }
+    };
+    let collect = pairs("rates", "ports", quote! { *own = other.rate(own); });
+    let correct = each(
+        "ports",
+        quote! {
+            match level {
+                ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
+                ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
+            }
+        },
+    );
+    let kept = spec.bodies.iter().map(|body| {
+        let field = &body.name;
+        match body.count {
+            Some(_) => quote! { #field: ports.#field.map(|port| port.state) },
+            None => quote! { #field: ports.#field.state },
+        }
+    });
+    let weigh = each("ports", quote! { ::ffrf::mechanism::Port::weigh(port, &self.gravity); });
+    let elements = spec.forces.iter().map(|force| {
+        let field = &force.name;
+        quote! { self.#field.apply(ports); }
+    });
+    let driven = spec.drives.iter().map(|drive| {
+        let (field, connection) = (&drive.name, drive.first);
+        quote! { #connection => self.#field.at(time), }
+    });
+    let finite = spec.bodies.iter().map(|body| {
+        let items = slice(body, &ident("state"));
+        quote! { #items.iter().all(::ffrf::State::is_finite) }
+    });
+    let none = spec.bodies.iter().map(|body| {
+        let field = &body.name;
+        let one = quote! { ::ffrf::Increment::zeros };
+        match body.count {
+            Some(_) => quote! { #field: state.#field.map(|state| #one(&state.modal_coordinates)) },
+            None => quote! { #field: #one(&state.#field.modal_coordinates) },
+        }
+    });
+    let retract = pairs("state", "increment", quote! { *own = own.retract(other); });
+    let place = pairs("rates", "origin", quote! { *own = own.place_rate(&other.retract(own)); });
+    let velocities = each("increment", quote! { *port = port.velocities_only(); });
+    let local = spec.bodies.iter().map(|body| {
+        let items = slice(body, &ident("difference"));
+        quote! { for part in #items { error = error.or(part.local_error()); } }
+    });
+    let weighted = spec.bodies.iter().map(|body| {
+        let (states, parts) = (slice(body, &ident("state")), slice(body, &ident("difference")));
+        quote! {
+            for (state, part) in #states.iter().zip(#parts) {
+                let (squares, number) = part.weighted_squares(state, tolerances);
+                sum += squares;
+                count += number;
+            }
+        }
+    });
+    let stable = spec.bodies.iter().map(|body| {
+        let items = slice(body, &ident("self"));
+        quote! {
+            for body in #items {
+                if let ::core::option::Option::Some(step) = ::ffrf::FlexibleBody::<#t>::largest_stable_step(body) {
+                    least = ::core::option::Option::Some(match least {
+                        ::core::option::Option::Some(other) if other < step => other,
+                        _ => step,
+                    });
+                }
+            }
+        }
+    });
+    let zero = quote! { ::ffrf::generated_support::constant::<#t>(0.0) };
+    quote! {
+        #[allow(
+            clippy::all,
+            clippy::pedantic,
+            clippy::nursery,
+            unused_imports,
+            unused_qualifications,
+            unused_variables,
+            unused_mut
+        )]
+        const _: () = {
+            #constants
+            use ::ffrf::generated_support::mechanism as support;
+
+            #of_ports
+
+            impl #bound ::ffrf::mechanism::Assembly<#t> for #model #used {
+                type State = #state #used;
+                type Increment = #increment #used;
+                type Ports<'a> = #ports #lifetime_and_type where Self: 'a;
+
+                fn ports<'a>(
+                    &'a self,
+                    state: Self::State,
+                    implicit: ::core::option::Option<::ffrf::mechanism::ImplicitTerms<'a, Self::Increment, #t>>,
+                ) -> Self::Ports<'a> {
+                    #ports { #(#made),* }
+                }
+
+                fn collect(&self, ports: &Self::Ports<'_>, increment: &Self::Increment) -> Self::Increment {
+                    let mut rates = *increment;
+                    #collect
+                    rates
+                }
+
+                fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
+                    #correct
+                }
+
+                fn state(&self, ports: Self::Ports<'_>) -> Self::State {
+                    #state { #(#kept),* }
+                }
+
+                fn with_storage<R>(
+                    &self,
+                    use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, #t>) -> R,
+                ) -> R {
+                    let still = support::still::<#t>();
+                    use_it(&mut ::ffrf::mechanism::Storage {
+                        values: &mut [#zero; #values],
+                        solution: &mut [#zero; #unknowns],
+                        right: &mut [#zero; #unknowns],
+                        shift: &mut [#zero; #unknowns],
+                        rows: &mut [::ffrf::relations::Rows::none(); #joints],
+                        ends: &mut [[still; 2]; #joints],
+                    })
+                }
+
+                fn plan(&self) -> Plan<'_> {
+                    #plan_expression
+                }
+
+                fn connections(&self) -> &[::ffrf::mechanism::Connection<#t>] {
+                    &self.connections
+                }
+
+                fn joint_name(&self, joint: usize) -> &'static str {
+                    match Self::JOINTS.get(joint) {
+                        ::core::option::Option::Some(name) => name,
+                        ::core::option::Option::None => "",
+                    }
+                }
+
+                fn drive(&self, joint: usize, time: #t) -> [#t; 3] {
+                    match joint {
+                        #(#driven)*
+                        _ => [#zero; 3],
+                    }
+                }
+
+                fn load(&self, time: #t, ports: &mut Self::Ports<'_>) {
+                    #weigh
+                    #(#elements)*
+                }
+
+                fn treatment(&self) -> ::ffrf::mechanism::Treatment<#t> {
+                    self.treatment
+                }
+
+                fn regularisation(&self) -> ::ffrf::mechanism::Regularisation<#t> {
+                    self.regularisation
+                }
+
+                fn is_finite(&self, state: &Self::State) -> bool {
+                    #(#finite)&&*
+                }
+
+                fn no_change(&self, state: &Self::State) -> Self::Increment {
+                    #increment { #(#none),* }
+                }
+
+                fn retract(&self, origin: &Self::State, increment: &Self::Increment) -> Self::State {
+                    let mut state = *origin;
+                    #retract
+                    state
+                }
+
+                fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
+                    let mut rates = *increment;
+                    #place
+                    rates
+                }
+
+                fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment {
+                    let mut increment = *increment;
+                    #velocities
+                    increment
+                }
+
+                fn local_error(&self, difference: &Self::Increment) -> ::ffrf::LocalError<#t> {
+                    let mut error = ::ffrf::LocalError {
+                        position: #zero,
+                        orientation: #zero,
+                        modal_coordinates: #zero,
+                    };
+                    #(#local)*
+                    error
+                }
+
+                fn weighted_error(
+                    &self,
+                    state: &Self::State,
+                    difference: &Self::Increment,
+                    tolerances: &::ffrf::Tolerances<#t>,
+                ) -> #t {
+                    let (mut sum, mut count) = (#zero, #zero);
+                    #(#weighted)*
+                    ::ffrf::nalgebra::ComplexField::sqrt(sum / count)
+                }
+
+                fn largest_stable_step(&self) -> ::core::option::Option<#t> {
+                    let mut least: ::core::option::Option<#t> = ::core::option::Option::None;
+                    #(#stable)*
+                    least
+                }
+            }
+        };
+    }
+}
+
+fn ident(name: &str) -> TokenStream {
+    let ident = syn::Ident::new(name, proc_macro2::Span::call_site());
+    quote! { #ident }
+}
+
+/// The ports of one body, or of an array of them.
+fn port(body: &Body, spec: &Spec) -> TokenStream {
+    let (field, markers, t) = (&body.name, markers_of(body), spec.scalar.name());
+    let terms = |subtracted: TokenStream| {
+        quote! {
+            implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
+                gamma_h: terms.gamma_h,
+                subtracted: #subtracted,
+            })
+        }
+    };
+    match body.count {
+        None => {
+            let terms = terms(quote! { terms.subtracted.map(|all| &all.#field) });
+            quote! {
+                #field: ::ffrf::mechanism::BodyPort::new(
+                    &self.#field,
+                    &self.#markers,
+                    state.#field,
+                    support::empty_rows(&self.#field),
+                    #terms,
+                )
+            }
+        }
+        Some(_) => {
+            let terms = terms(quote! { subtracted });
+            quote! {
+                #field: {
+                    let mut states = state.#field.iter();
+                    let all = implicit.and_then(|terms| terms.subtracted);
+                    let mut changes = all.map(|all| all.#field.iter());
+                    self.#field.each_ref().map(|body| {
+                        let subtracted = changes.as_mut().and_then(::core::iter::Iterator::next);
+                        let state = states.next().copied();
+                        ::ffrf::mechanism::BodyPort::new(
+                            body,
+                            &self.#markers,
+                            state.unwrap_or_else(|| ::ffrf::State::<_, #t>::at_rest(body)),
+                            support::empty_rows(body),
+                            #terms,
+                        )
+                    })
+                }
+            }
+        }
+    }
+}
+
+/// Bodies by their numbers.
+fn ports_of(ports: &syn::Ident, spec: &Spec) -> TokenStream {
+    let (bound, t) = (spec.scalar.bound(), spec.scalar.name());
+    let used = match spec.scalar {
+        Scalar::Generic => quote! { <'_, T> },
+        _ => quote! { <'_> },
+    };
+    let arms = |mutable: bool| -> TokenStream {
+        let arms = spec.bodies.iter().map(|body| {
+            let (field, first) = (&body.name, body.first);
+            let last = first + body.len() - 1;
+            let reference = if mutable { quote!(&mut) } else { quote!(&) };
+            let get = if mutable { quote!(get_mut) } else { quote!(get) };
+            match body.count {
+                None => quote! { #first => ::core::option::Option::Some(#reference self.#field), },
+                Some(_) => {
+                    let kind = if mutable { quote!(&mut dyn ) } else { quote!(&dyn ) };
+                    quote! {
+                        #first..=#last => match self.#field.#get(index - #first) {
+                            ::core::option::Option::Some(port) => {
+                                ::core::option::Option::Some(port as #kind ::ffrf::mechanism::Port<#t>)
+                            }
+                            ::core::option::Option::None => ::core::option::Option::None,
+                        },
+                    }
+                }
+            }
+        });
+        quote! { match index { #(#arms)* _ => ::core::option::Option::None } }
+    };
+    let (read, write) = (arms(false), arms(true));
+    quote! {
+        impl #bound ::ffrf::mechanism::Ports<#t> for #ports #used {
+            fn port(&self, index: usize) -> ::core::option::Option<&dyn ::ffrf::mechanism::Port<#t>> {
+                #read
+            }
+
+            fn port_mut(&mut self, index: usize) -> ::core::option::Option<&mut dyn ::ffrf::mechanism::Port<#t>> {
+                #write
+            }
+        }
+    }
+}

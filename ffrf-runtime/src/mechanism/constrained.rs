@@ -1,0 +1,322 @@
+//! A mechanism as a system that integrators advance.
+
+use nalgebra::RealField;
+
+use super::{Assembly, Constraints, ImplicitTerms, Level, Phase, Ports, Storage, Target, Treatment};
+use crate::integrators::{
+    ConservingSystem, Correction, Drift, ImplicitSystem, LocalError, StepError, StiffSystem, System,
+    Tolerances, displaced, elastic_at_rest,
+};
+
+/// A mechanism as a system that integrators advance.
+#[derive(Debug, Clone, Copy)]
+pub struct Constrained<'a, A>(pub &'a A);
+
+impl<A> Constrained<'_, A> {
+    /// Evaluates bodies, loads, joints and accelerations in one state and hands all of it to `read`.
+    ///
+    /// Errors: no accelerations exist.
+    pub fn evaluate<T, R>(
+        &self,
+        time: T,
+        state: A::State,
+        implicit: Option<ImplicitTerms<'_, A::Increment, T>>,
+        read: impl FnOnce(&A::Ports<'_>, &Storage<'_, T>, T) -> R,
+    ) -> Result<R, StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        self.solve(time, state, implicit, self.0.treatment().target(), |ports, storage, pivot| {
+            read(ports, storage, pivot)
+        })
+    }
+
+    /// [`evaluate`](Self::evaluate) for a target, with everything still open for further right-hand sides.
+    fn solve<T, R>(
+        &self,
+        time: T,
+        state: A::State,
+        implicit: Option<ImplicitTerms<'_, A::Increment, T>>,
+        target: Target<T>,
+        read: impl FnOnce(&mut A::Ports<'_>, &mut Storage<'_, T>, T) -> R,
+    ) -> Result<R, StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let assembly = self.0;
+        let mut ports = assembly.ports(state, implicit);
+        assembly.load(time, &mut ports);
+        assembly.with_storage(|storage| {
+            let mut constraints = Constraints {
+                plan: assembly.plan(),
+                connections: assembly.connections(),
+                ports: &mut ports,
+                storage,
+                regularisation: assembly.regularisation(),
+            };
+            constraints.evaluate(&|joint| assembly.drive(joint, time));
+            let pivot = constraints.factor()?;
+            constraints.accelerate(target);
+            Ok(read(&mut ports, storage, pivot))
+        })
+    }
+
+    /// The bodies in a step of the energy-momentum method.
+    fn in_step<'a, T>(&'a self, begin: &A::State, velocities: &'a A::Increment, step: T) -> A::Ports<'a>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let gamma_h = step * nalgebra::convert(0.5);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(velocities) });
+        let mut ports = self.0.ports(begin.clone(), implicit);
+        for index in 0..self.0.plan().bodies.len() {
+            if let Some(port) = ports.port_mut(index) {
+                port.conserve(Phase::Mean);
+            }
+        }
+        ports
+    }
+
+    /// Projects positions, then velocities, on the constraints; the drift is what was found before.
+    ///
+    /// One factorisation; the corrections are repeated with it, at most as often as the treatment says. After a linearly
+    /// implicit step they must be measured by the matrix of its stages (`gamma_h`): measured by the mass matrix alone they
+    /// push stiff modes, and the next step pushes back, without end. Errors: a residual is left.
+    pub fn project<T>(
+        &self,
+        time: T,
+        state: A::State,
+        gamma_h: Option<T>,
+        iterations: usize,
+        tolerance: T,
+    ) -> Result<(A::State, Drift<T>), StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let assembly = self.0;
+        if assembly.connections().is_empty() {
+            return Ok((state, Drift::none()));
+        }
+        let round_off: T = T::default_epsilon() * nalgebra::convert(16.0);
+        let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None });
+        let mut ports = assembly.ports(state, implicit);
+        let drift = assembly.with_storage(|storage| {
+            let drive = |joint| assembly.drive(joint, time);
+            let (mut drift, mut factored) = (None, false);
+            let mut left = ([T::zero(); 2], 0);
+            for level in [Level::Position, Level::Velocity] {
+                for iteration in 0..=iterations {
+                    let mut constraints = Constraints {
+                        plan: assembly.plan(),
+                        connections: assembly.connections(),
+                        ports: &mut ports,
+                        storage: &mut *storage,
+                        regularisation: assembly.regularisation(),
+                    };
+                    constraints.evaluate(&drive);
+                    let residuals = constraints.residuals();
+                    drift = drift.or(Some(Drift { position: residuals.0[0], velocity: residuals.0[1] }));
+                    left = residuals;
+                    let open = if level == Level::Position { left.0[0] } else { left.0[1] };
+                    if open <= round_off || iteration == iterations {
+                        break;
+                    }
+                    if !factored {
+                        constraints.factor()?;
+                        factored = true;
+                    }
+                    constraints.correct(level);
+                    assembly.correct(&mut ports, level);
+                }
+            }
+            if left.0[0] <= tolerance {
+                Ok(drift.unwrap_or(Drift::none()))
+            } else {
+                let residual = nalgebra::try_convert(left.0[0]).unwrap_or(f64::NAN);
+                Err(StepError::ConstraintsNotMet { joint: left.1, residual })
+            }
+        })?;
+        Ok((assembly.state(ports), drift))
+    }
+}
+
+impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
+    type State = A::State;
+    type Increment = A::Increment;
+
+    fn is_finite(&self, state: &Self::State) -> bool {
+        self.0.is_finite(state)
+    }
+
+    fn no_change(&self, state: &Self::State) -> Self::Increment {
+        self.0.no_change(state)
+    }
+
+    fn retract(&self, origin: &Self::State, increment: &Self::Increment) -> Self::State {
+        self.0.retract(origin, increment)
+    }
+
+    fn rates(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+    ) -> Result<Self::Increment, StepError> {
+        let state = self.0.retract(origin, increment);
+        self.evaluate(time, state, None, |ports, _, _| self.0.collect(ports, increment))
+    }
+
+    fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
+        self.0.place_rates(origin, increment)
+    }
+
+    fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment {
+        self.0.velocities_only(increment)
+    }
+
+    fn local_error(&self, difference: &Self::Increment) -> LocalError<T> {
+        self.0.local_error(difference)
+    }
+
+    fn weighted_error(
+        &self,
+        state: &Self::State,
+        difference: &Self::Increment,
+        tolerances: &Tolerances<T>,
+    ) -> T {
+        self.0.weighted_error(state, difference, tolerances)
+    }
+
+    fn settle(
+        &self,
+        time: T,
+        state: Self::State,
+        gamma_h: Option<T>,
+    ) -> Result<(Self::State, Drift<T>), StepError> {
+        match self.0.treatment() {
+            Treatment::Projection { iterations, tolerance } => {
+                self.project(time, state, gamma_h, iterations, tolerance)
+            }
+            Treatment::Baumgarte { .. } | Treatment::Index3 | Treatment::StabilisedIndex2 => {
+                // nothing is corrected: the drift is reported
+                let drift =
+                    self.project(time, state.clone(), gamma_h, 0, T::max_value().unwrap_or(T::one()))?.1;
+                Ok((state, drift))
+            }
+        }
+    }
+
+    fn largest_stable_step(&self) -> Option<T> {
+        self.0.largest_stable_step()
+    }
+}
+
+impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> {
+    fn implicit_rates(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+        gamma_h: T,
+        subtracted: Option<&Self::Increment>,
+    ) -> Result<Self::Increment, StepError> {
+        let state = self.0.retract(origin, increment);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted });
+        self.evaluate(time, state, implicit, |ports, _, _| self.0.collect(ports, increment))
+    }
+}
+
+impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, A> {
+    fn correction(
+        &self,
+        time: T,
+        origin: &Self::State,
+        increment: &Self::Increment,
+        accelerations: &Self::Increment,
+        gamma_h: T,
+    ) -> Result<Correction<Self::Increment>, StepError> {
+        let assembly = self.0;
+        let state = assembly.retract(origin, increment);
+        let subtracted = elastic_at_rest(self, origin, increment, accelerations);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(&subtracted) });
+        let treatment = assembly.treatment();
+        let target = match treatment {
+            Treatment::Index3 => Target::Position { share: gamma_h * gamma_h },
+            Treatment::StabilisedIndex2 => Target::Velocity { share: gamma_h },
+            Treatment::Projection { .. } | Treatment::Baumgarte { .. } => treatment.target(),
+        };
+        self.solve(time, state, implicit, target, |ports, storage, _| {
+            let accelerations = assembly.velocities_only(&assembly.collect(ports, increment));
+            let places = matches!(treatment, Treatment::StabilisedIndex2).then(|| {
+                let mut constraints = Constraints {
+                    plan: assembly.plan(),
+                    connections: assembly.connections(),
+                    ports: &mut *ports,
+                    storage,
+                    regularisation: assembly.regularisation(),
+                };
+                constraints.correct(Level::Position);
+                let moved = assembly.velocities_only(&assembly.collect(ports, increment));
+                displaced(self, origin, &moved)
+            });
+            Correction { accelerations, places }
+        })
+    }
+}
+
+impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_, A> {
+    fn conserving_places(
+        &self,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Self::Increment {
+        let ports = self.in_step(begin, velocities, step);
+        self.0.collect(&ports, velocities)
+    }
+
+    fn conserving_correction(
+        &self,
+        time: T,
+        begin: &Self::State,
+        velocities: &Self::Increment,
+        step: T,
+    ) -> Result<Self::Increment, StepError> {
+        let assembly = self.0;
+        let half = step * nalgebra::convert(0.5);
+        let mut ports = self.in_step(begin, velocities, step);
+        assembly.with_storage(|storage| {
+            for phase in [Phase::End, Phase::Mean] {
+                for index in 0..assembly.plan().bodies.len() {
+                    if let Some(port) = ports.port_mut(index) {
+                        port.conserve(phase);
+                    }
+                }
+                if phase == Phase::Mean {
+                    assembly.load(time + half, &mut ports);
+                }
+                let mut constraints = Constraints {
+                    plan: assembly.plan(),
+                    connections: assembly.connections(),
+                    ports: &mut ports,
+                    storage: &mut *storage,
+                    regularisation: assembly.regularisation(),
+                };
+                let moment = if phase == Phase::End { step } else { half };
+                constraints.evaluate(&|joint| assembly.drive(joint, time + moment));
+                match phase {
+                    Phase::End => constraints.aim(half),
+                    Phase::Mean => {
+                        constraints.factor()?;
+                        constraints.accelerate(Target::Aimed);
+                    }
+                }
+            }
+            Ok(assembly.collect(&ports, velocities))
+        })
+    }
+}

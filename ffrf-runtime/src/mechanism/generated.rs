@@ -1,0 +1,77 @@
+//! What the code of `mechanism!` calls: numbers, triads and rows of the right size.
+
+use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
+
+use super::{AttachedRow, Attachment, Connection, along_axis};
+use crate::body::{FlexibleBody, MarkerMotion};
+use crate::joints::{Fixed, JointKind};
+
+/// Three numbers as a vector.
+pub fn vector3<T: RealField + Copy>(components: [f64; 3]) -> Vector3<T> {
+    components.map(nalgebra::convert).into()
+}
+
+/// Numbers in the scalar type.
+pub fn numbers<const N: usize, T: RealField + Copy>(numbers: [f64; N]) -> [T; N] {
+    numbers.map(nalgebra::convert)
+}
+
+/// An inertia tensor as users write it: three principal moments, or three rows.
+pub trait WrittenInertia {
+    /// The tensor. Shape: 3 x 3.
+    fn tensor<T: RealField + Copy>(self) -> Matrix3<T>;
+}
+
+impl WrittenInertia for [f64; 3] {
+    fn tensor<T: RealField + Copy>(self) -> Matrix3<T> {
+        Matrix3::from_diagonal(&vector3(self))
+    }
+}
+
+impl WrittenInertia for [[f64; 3]; 3] {
+    fn tensor<T: RealField + Copy>(self) -> Matrix3<T> {
+        Matrix3::from_columns(&self.map(vector3)).transpose()
+    }
+}
+
+/// The second triad of a universal joint: z along what is x of the first.
+pub fn crossed<T: RealField + Copy>(first: &UnitQuaternion<T>) -> UnitQuaternion<T> {
+    along_axis(&first.transform_vector(&Vector3::x()))
+}
+
+/// A place for a connection: what it holds is replaced.
+pub fn unconnected<T: RealField + Copy>() -> Connection<T> {
+    let nowhere = Attachment::on_ground(Vector3::zeros(), UnitQuaternion::identity());
+    Connection { kind: JointKind::Fixed(Fixed), first: nowhere, second: nowhere }
+}
+
+/// Puts `count` connections from `start` on.
+pub fn connect<T: RealField + Copy>(
+    connections: &mut [Connection<T>],
+    start: usize,
+    count: usize,
+    make: impl Fn(usize) -> Connection<T>,
+) {
+    for (index, place) in connections.iter_mut().skip(start).take(count).enumerate() {
+        *place = make(index);
+    }
+}
+
+/// Rows without effect, for the joints on a body.
+pub fn empty_rows<const N: usize, B: FlexibleBody<T>, T: RealField + Copy>(
+    body: &B,
+) -> [AttachedRow<B::Modal>; N] {
+    let zeros = body.undeformed();
+    core::array::from_fn(|_| AttachedRow::empty(&zeros))
+}
+
+/// The end of a joint before it is evaluated.
+pub fn still<T: RealField + Copy>() -> MarkerMotion<T> {
+    MarkerMotion::fixed(Vector3::zeros(), UnitQuaternion::identity())
+}
+
+/// The first of several equal bodies.
+pub fn first<const N: usize, B>(bodies: &[B; N]) -> &B {
+    const { assert!(N > 0) };
+    &bodies[0]
+}

@@ -1,0 +1,136 @@
+//! Implicit methods on free bodies: momentum and energy to round-off, orders, stiff modes.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+use ffrf_runtime::nalgebra::{Vector2, Vector3};
+use ffrf_runtime::{
+    EnergyMomentum, FreeBody, FreeSystem, GeneralisedAlpha, Gravity, State, StepError, Tolerances,
+    step_linearly_implicit_euler, step_rk4,
+};
+use ffrf_test_kit::bodies::cloud;
+use ffrf_test_kit::convergence::measured_order;
+use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::tolerances::SLOPE;
+
+type Body = FreeBody<NaiveBody<2, 8>>;
+type Place = State<Vector2<f64>>;
+
+/// Momentum after 2,000 steps of some hundred roundings each that add up like a random walk, at a distance of 6 m.
+const KEPT: f64 = 1e-12;
+
+/// A body of random points, not about its centre of mass, that spins, flies and vibrates.
+fn body(stiffness: f64, damping: f64) -> Body {
+    FreeBody::new(cloud::<2, 8>(7, stiffness, damping).0)
+        .with_velocity(Vector3::new(0.3, -0.2, 0.5))
+        .with_spin(Vector3::new(1.0, 2.0, -0.5))
+        .with_deformation(Vector2::new(0.05, -0.03), Vector2::new(0.1, 0.2))
+}
+
+/// The largest difference of places and velocities.
+fn difference(found: &Place, expected: &Place) -> f64 {
+    (found.position - expected.position)
+        .amax()
+        .max((found.orientation.coords - expected.orientation.coords).amax())
+        .max((found.modal_coordinates - expected.modal_coordinates).amax())
+        .max((found.angular_velocity - expected.angular_velocity).amax())
+        .max((found.modal_rates - expected.modal_rates).amax())
+}
+
+#[test]
+fn a_free_body_keeps_energy_and_momentum_to_round_off() {
+    let mut body = body(200.0, 0.0);
+    let energy = |body: &Body| body.kinetic_energy() + body.elastic_energy();
+    let (before, linear, angular) = (energy(&body), body.linear_momentum(), body.angular_momentum());
+    assert!(body.elastic_energy() > 0.01 * before, "it vibrates");
+    let method = EnergyMomentum::new();
+    let mut most = 0;
+    for _ in 0..2_000 {
+        let system = FreeSystem { body: &body.body, load: &() };
+        let (state, report) = method.step(&system, &body.state, body.time, 5e-3).unwrap();
+        most = most.max(report.iterations);
+        body.state = state;
+    }
+    let errors = [
+        (energy(&body) - before).abs() / before,
+        (body.linear_momentum() - linear).norm() / linear.norm(),
+        (body.angular_momentum() - angular).norm() / angular.norm(),
+    ];
+    eprintln!("energy, momenta: {errors:?}, at most {most} iterations");
+    assert!(errors.iter().all(|error| *error < KEPT), "{errors:?}");
+    assert!(most <= 12, "{most}");
+}
+
+#[test]
+fn orders_of_free_bodies_are_two() {
+    let gravity = Gravity { acceleration: Vector3::new(0.3, 0.0, -9.81) };
+    let start = body(200.0, 0.5);
+    let system = FreeSystem { body: &start.body, load: &gravity };
+    let mut exact = start.state;
+    for k in 0..4000 {
+        exact = step_rk4(&system, &exact, k as f64 * 2.5e-4, 2.5e-4).unwrap().0;
+    }
+    let conserving = measured_order(100, 2, |steps| {
+        let (method, h) = (EnergyMomentum::new(), 1.0 / steps as f64);
+        let mut state = start.state;
+        for k in 0..steps {
+            state = method.step(&system, &state, k as f64 * h, h).unwrap().0;
+        }
+        difference(&state, &exact)
+    });
+    assert!((conserving - 2.0).abs() < SLOPE, "{conserving}");
+    let tolerances = Tolerances { relative: 1e-13, absolute: 1e-14 };
+    for spectral_radius in [0.0, 0.5, 1.0] {
+        let method = GeneralisedAlpha { spectral_radius, iterations: 30, tolerances };
+        let order = measured_order(200, 2, |steps| {
+            let h = 1.0 / steps as f64;
+            let mut state = start.state;
+            let mut memory = method.start(&system, &state, 0.0, h).unwrap();
+            for k in 0..steps {
+                state = method.step(&system, &mut memory, &state, k as f64 * h, h).unwrap().0;
+            }
+            difference(&state, &exact)
+        });
+        assert!((order - 2.0).abs() < SLOPE, "{spectral_radius}: {order}");
+    }
+}
+
+#[test]
+fn stiff_modes_do_not_limit_the_step() {
+    // frequencies of 1e5 rad/s and more at a step of 0.01 s
+    let start = FreeBody::new(cloud::<2, 8>(7, 1e10, 0.0).0).with_spin(Vector3::new(1.0, 2.0, -0.5));
+    let system = FreeSystem { body: &start.body, load: &() };
+    let method = GeneralisedAlpha::new();
+    let mut memory = method.start(&system, &start.state, 0.0, 0.01).unwrap();
+    let (mut alpha, mut euler) = (start.state, start.state);
+    for _ in 0..500 {
+        alpha = method.step(&system, &mut memory, &alpha, 0.0, 0.01).unwrap().0;
+        euler = step_linearly_implicit_euler(&system, &euler, 0.0, 0.01).unwrap().0;
+    }
+    let energy = start.kinetic_energy();
+    for (name, state, allowed) in [("alpha", alpha, 0.01), ("euler", euler, 0.1)] {
+        let change = (start.with_state(state).kinetic_energy() - energy).abs() / energy;
+        eprintln!("{name}: {change:e}");
+        assert!(change < allowed, "{name}: {change}");
+    }
+}
+
+#[test]
+fn a_step_that_cannot_be_solved_is_refused_with_what_is_left() {
+    let start = body(200.0, 0.0);
+    let system = FreeSystem { body: &start.body, load: &() };
+    let strict = EnergyMomentum { iterations: 2, ..EnergyMomentum::new() };
+    match strict.step(&system, &start.state, 0.0, 0.02) {
+        Err(StepError::NotConverged { iterations: 2, residual }) => assert!(residual > 1.0),
+        other => panic!("{other:?}"),
+    }
+    // ten turns in a step
+    let wild = EnergyMomentum::new().step(&system, &start.state, 0.0, 40.0);
+    assert!(wild.is_err(), "{wild:?}");
+    let method = GeneralisedAlpha { iterations: 1, ..GeneralisedAlpha::new() };
+    let mut memory = method.start(&system, &start.state, 0.0, 0.02).unwrap();
+    let before = memory;
+    assert!(matches!(
+        method.step(&system, &mut memory, &start.state, 0.0, 0.02),
+        Err(StepError::NotConverged { iterations: 1, .. })
+    ));
+    assert_eq!(memory, before);
+}
