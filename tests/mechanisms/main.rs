@@ -9,3 +9,5 @@ mod saved;
 mod scalars;
 mod scene;
 mod slider_crank;
+mod stack;
+mod trees;

@@ -12,7 +12,7 @@ pub struct StepPlace {
     pub size: usize,
     /// First unknown.
     pub unknowns: usize,
-    /// Diagonal block among the values.
+    /// Diagonal block among the values; the blocks of its couplings follow.
     pub diagonal: usize,
     /// First coupling.
     pub couplings: usize,
@@ -27,8 +27,6 @@ pub struct CouplingPlace {
     pub size: usize,
     /// First unknown of the later node.
     pub unknowns: usize,
-    /// Block among the values.
-    pub block: usize,
 }
 
 /// A block off the diagonal, as a joint sees it.
@@ -151,11 +149,7 @@ impl MechanismPlan {
                 targets: targets.len(),
             });
             for (index, row) in later.iter().enumerate() {
-                couplings.push(CouplingPlace {
-                    size: sizes[*row],
-                    unknowns: first_unknown[*row],
-                    block: blocks[&(*node, *row)],
-                });
+                couplings.push(CouplingPlace { size: sizes[*row], unknowns: first_unknown[*row] });
                 // rows of the later of both, columns of the earlier
                 targets.extend(later[..=index].iter().map(|column| blocks[&(*column, *row)]));
             }

@@ -25,6 +25,15 @@ pub(super) struct Point<'a> {
     pub(super) spin: Option<Spin>,
 }
 
+/// What a derivative can be asked by, besides places and velocities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Input {
+    /// A force or moment of a scene, by its element: it grows along its own direction.
+    Element(usize),
+    /// The input of an actuator.
+    Actuator(usize),
+}
+
 /// Rates in the chart about a state, rates of residuals and sensors, each with its derivative.
 pub(super) struct Evaluated {
     pub(super) place_rates: DVector<Dual64>,
@@ -68,14 +77,28 @@ impl<'a> Point<'a> {
         self.evaluate_with(&self.dual, places, velocities)
     }
 
-    /// The derivative by a force or moment: `element` of the mechanism grows along its own direction.
-    pub(super) fn evaluate_input(&self, element: usize) -> Result<Evaluated, StepError> {
-        let mut elements = self.dual.elements().to_vec();
-        if let Some(element) = elements.get_mut(element) {
-            element.kind.grow(Dual64::new(0.0, 1.0));
+    /// The derivative by an input.
+    pub(super) fn evaluate_input(&self, input: Input) -> Result<Evaluated, StepError> {
+        let mut mechanism = self.mechanism.cast();
+        let change = Dual64::new(0.0, 1.0);
+        match input {
+            Input::Element(index) => {
+                let mut elements = mechanism.elements().to_vec();
+                if let Some(element) = elements.get_mut(index) {
+                    element.kind.grow(change);
+                }
+                mechanism = mechanism.with_elements(elements);
+            }
+            Input::Actuator(index) => {
+                let mut actuators = mechanism.actuators().to_vec();
+                if let Some(actuator) = actuators.get_mut(index) {
+                    actuator.added += change;
+                }
+                mechanism = mechanism.with_actuators(actuators);
+            }
         }
         let none = DVector::zeros(self.size());
-        self.evaluate_with(&self.mechanism.cast().with_elements(elements), &none, &none)
+        self.evaluate_with(&mechanism, &none, &none)
     }
 
     fn evaluate_with(

@@ -4,7 +4,7 @@ use ffrf_runtime::State;
 use nalgebra::{DMatrix, DVector};
 
 use super::AnalysisError;
-use super::evaluate::{Point, States, slope, value};
+use super::evaluate::{Input, Point, States, slope, value};
 use super::spin::Spin;
 use super::tangent::Tangent;
 use crate::scene::Scene;
@@ -33,24 +33,26 @@ pub struct StateSpace {
     /// Names of all coordinates of all bodies: changes of places, then of velocities. Positions and velocities are inertial,
     /// rotations and angular velocities resolved in the body frame.
     pub coordinates: Vec<String>,
-    /// Names of the forces and moments that are inputs, in N and N m along their direction in the scene.
+    /// Names of the inputs: forces and moments of the scene, in N and N m along their direction, and actuators, in their units.
     pub inputs: Vec<String>,
     /// Names of the sensors' columns.
     pub outputs: Vec<String>,
 }
 
-/// Linearises a scene in a state at a time (s), about rest or in motion. Inputs are its forces and moments, outputs its sensors.
+/// Linearises a scene in a state at a time (s), about rest or in motion. Inputs are its forces, moments and actuators, outputs its sensors.
 ///
 /// Derivatives are exact, by dual numbers. Errors: no accelerations exist there.
 pub fn linearise(scene: &Scene, time: f64, state: &[State<HostModal>]) -> Result<StateSpace, AnalysisError> {
     let point = Point::new(scene, &scene.mechanism, time, state.to_vec());
     let tangent = Tangent::new(&point, &scene.body_names)?;
     let mut system = matrices(&point, &tangent)?;
-    for (index, element) in scene.mechanism.elements().iter().enumerate() {
-        if element.kind.grows() {
-            let name = scene.element_names.get(index).cloned().unwrap_or_default();
-            add_input(&mut system, &point, &tangent, index, name)?;
-        }
+    let elements = scene.mechanism.elements().iter().zip(&scene.element_names).enumerate();
+    let forces = elements.filter(|(_, (element, _))| element.kind.grows());
+    for (index, (_, name)) in forces {
+        add_input(&mut system, &point, &tangent, Input::Element(index), name.clone())?;
+    }
+    for (index, name) in scene.actuator_names.iter().enumerate() {
+        add_input(&mut system, &point, &tangent, Input::Actuator(index), name.clone())?;
     }
     for sensor in &scene.sensors {
         let endings = sensor.kind.columns().iter();
@@ -108,11 +110,11 @@ fn add_input(
     system: &mut StateSpace,
     point: &Point<'_>,
     tangent: &Tangent,
-    element: usize,
+    input: Input,
     name: String,
 ) -> Result<(), AnalysisError> {
     let (f, column) = (tangent.freedom(), system.inputs.len());
-    let moved = point.evaluate_input(element)?;
+    let moved = point.evaluate_input(input)?;
     system.b = system.b.clone().insert_column(column, 0.0);
     system.d = system.d.clone().insert_column(column, 0.0);
     system.b.view_mut((f, column), (f, 1)).copy_from(&(&tangent.projection * slope(&moved.accelerations)));

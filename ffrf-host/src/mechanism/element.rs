@@ -1,6 +1,6 @@
 //! Force elements of any kind.
 
-use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Spring, TorsionSpring};
+use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Friction, Spring, TorsionSpring};
 use ffrf_runtime::{MarkerMotion, Wrench};
 use nalgebra::{RealField, Vector3, convert};
 
@@ -16,6 +16,8 @@ pub enum ElementKind<T: RealField + Copy = f64> {
     TorsionSpring(TorsionSpring<T>),
     /// See [`Bushing`].
     Bushing(Bushing<T>),
+    /// See [`Friction`].
+    Friction(Friction<T>),
     /// See [`ConstantWrench`].
     Constant(ConstantWrench<T>),
 }
@@ -43,6 +45,7 @@ impl<T: RealField + Copy> ElementKind<T> {
             Self::Spring(element) => element,
             Self::TorsionSpring(element) => element,
             Self::Bushing(element) => element,
+            Self::Friction(element) => element,
             Self::Constant(element) => element,
         }
     }
@@ -77,6 +80,12 @@ impl ElementKind {
             Self::Bushing(bushing) => ElementKind::Bushing(Bushing {
                 stiffness: bushing.stiffness.map(number),
                 damping: bushing.damping.map(number),
+            }),
+            Self::Friction(friction) => ElementKind::Friction(Friction {
+                effort: friction.effort,
+                limit: number(friction.limit),
+                speed: number(friction.speed),
+                viscous: number(friction.viscous),
             }),
             Self::Constant(wrench) => ElementKind::Constant(ConstantWrench {
                 force: vector(&wrench.force),

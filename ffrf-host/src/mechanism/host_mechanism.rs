@@ -6,11 +6,14 @@ use ffrf_runtime::mechanism::{
     Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
-use ffrf_runtime::{FlexibleBody, Increment, LocalError, Marker, MarkerMotion, State, Tolerances};
+use ffrf_runtime::{
+    FlexibleBody, Forcing, Increment, LocalError, Marker, MarkerMotion, ModalVector, Oscillators, State,
+    Tolerances,
+};
 use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
 
 use super::plan::OwnedPlan;
-use super::{Drive, Element, HostIncrement};
+use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
 /// Forces of elements and users: sees the whole mechanism.
@@ -24,6 +27,7 @@ pub struct HostMechanism<T: RealField + Copy = f64> {
     drives: Vec<Option<Drive>>,
     gravity: Vector3<T>,
     elements: Vec<Element<T>>,
+    actuators: Vec<ScheduledActuator<T>>,
     forces: Option<Box<Forces<T>>>,
     plan: OwnedPlan,
     treatment: Treatment<T>,
@@ -39,19 +43,21 @@ impl HostMechanism {
         joints: Vec<(Connection<f64>, Option<Drive>)>,
         gravity: Vector3<f64>,
     ) -> Result<Self, TopologyError> {
+        let shape = |joint: &Connection<f64>| JointTopology {
+            rows: joint.kind.row_count(),
+            ends: [joint.first.body, joint.second.body],
+        };
+        let flexible: Vec<bool> = bodies.iter().map(|(body, _)| body.mode_count() > 0).collect();
         let topology = Topology {
-            flexible: bodies.iter().map(|(body, _)| body.mode_count() > 0).collect(),
-            joints: joints
-                .iter()
-                .map(|(joint, _)| JointTopology {
-                    rows: joint.kind.row_count(),
-                    ends: [joint.first.body, joint.second.body],
-                })
-                .collect(),
+            flexible: flexible.clone(),
+            joints: joints.iter().map(|(joint, _)| shape(joint)).collect(),
         };
         let plan = OwnedPlan::new(&MechanismPlan::new(&topology)?);
-        // redundant rows need loops; the share and the refinements: see `Regularisation`
-        let regularisation = Regularisation { share: 1e-9, refinements: 2 };
+        // redundant rows need loops, which a drive beside its joint does not close
+        let undriven = joints.iter().filter(|(_, drive)| drive.is_none());
+        let undriven = Topology { flexible, joints: undriven.map(|(joint, _)| shape(joint)).collect() };
+        let regularisation =
+            if undriven.has_loops() { Regularisation::of_loops() } else { Regularisation::of_trees() };
         let (bodies, markers) = bodies.into_iter().unzip();
         let (connections, drives) = joints.into_iter().unzip();
         Ok(Self {
@@ -61,6 +67,7 @@ impl HostMechanism {
             drives,
             gravity,
             elements: Vec::new(),
+            actuators: Vec::new(),
             forces: None,
             plan,
             treatment: Treatment::Projection { iterations: 8, tolerance: 1e-6 },
@@ -85,6 +92,7 @@ impl HostMechanism {
                     second: element.second.cast(),
                 })
                 .collect(),
+            actuators: self.actuators.iter().map(ScheduledActuator::cast).collect(),
             forces: None,
             plan: self.plan.clone(),
             treatment: match self.treatment {
@@ -110,6 +118,13 @@ impl<T: RealField + Copy> HostMechanism<T> {
     #[must_use]
     pub fn with_elements(mut self, elements: Vec<Element<T>>) -> Self {
         self.elements = elements;
+        self
+    }
+
+    /// The same mechanism with these actuators.
+    #[must_use]
+    pub fn with_actuators(mut self, actuators: Vec<ScheduledActuator<T>>) -> Self {
+        self.actuators = actuators;
         self
     }
 
@@ -152,9 +167,38 @@ impl<T: RealField + Copy> HostMechanism<T> {
         &self.markers
     }
 
+    /// The drive of each connection.
+    pub fn drives(&self) -> &[Option<Drive>] {
+        &self.drives
+    }
+
+    /// The actuators.
+    pub fn actuators(&self) -> &[ScheduledActuator<T>] {
+        &self.actuators
+    }
+
     /// The force elements.
     pub fn elements(&self) -> &[Element<T>] {
         &self.elements
+    }
+
+    /// The first joint at a marker that modes move.
+    pub fn joint_on_modes(&self) -> Option<usize> {
+        let moved = |marker: &Marker<HostModal<T>, T>| {
+            marker.translation.iter().chain(&marker.rotation).any(|row| row.largest() > T::zero())
+        };
+        self.connections.iter().position(|joint| {
+            let mut ends = [&joint.first, &joint.second].into_iter();
+            ends.any(|end| end.body.is_some_and(|body| moved(&self.markers[body][end.marker])))
+        })
+    }
+
+    /// Modes, each on its own, of every body; `None` if joints hold what modes move, or where matrices are dense.
+    fn oscillators(&self) -> Option<Vec<Oscillators<HostModal<T>>>> {
+        match self.joint_on_modes() {
+            Some(_) => None,
+            None => self.bodies.iter().map(Oscillators::new).collect(),
+        }
     }
 
     /// The bodies.
@@ -264,6 +308,9 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
         for element in &self.elements {
             element.apply(ports);
         }
+        for actuator in &self.actuators {
+            actuator.apply(time, ports);
+        }
         if let Some(forces) = &self.forces {
             forces(time, ports);
         }
@@ -318,6 +365,27 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
 
     fn largest_stable_step(&self) -> Option<T> {
         self.bodies.iter().filter_map(FlexibleBody::largest_stable_step).reduce(T::min)
+    }
+
+    fn vibration_rates(&self, state: &Self::State) -> Option<HostIncrement<T>> {
+        let modes = self.oscillators()?;
+        Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.rates(state)).collect()))
+    }
+
+    fn free_vibration(&self, state: &Self::State, step: T) -> Option<HostIncrement<T>> {
+        let modes = self.oscillators()?;
+        Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.free(state, step)).collect()))
+    }
+
+    fn forced_vibration(
+        &self,
+        rates: &HostIncrement<T>,
+        step: T,
+        forcing: Forcing,
+    ) -> Option<HostIncrement<T>> {
+        let modes = self.oscillators()?;
+        let parts = modes.iter().zip(&rates.0);
+        Some(HostIncrement(parts.map(|(modes, rates)| modes.forced(rates, step, forcing)).collect()))
     }
 }
 

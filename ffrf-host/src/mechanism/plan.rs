@@ -41,11 +41,7 @@ impl OwnedPlan {
             couplings: plan
                 .couplings
                 .iter()
-                .map(|coupling| Coupling {
-                    size: coupling.size,
-                    unknowns: coupling.unknowns,
-                    block: coupling.block,
-                })
+                .map(|coupling| Coupling { size: coupling.size, unknowns: coupling.unknowns })
                 .collect(),
             targets: plan.targets.clone(),
             bodies: plan

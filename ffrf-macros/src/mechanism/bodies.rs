@@ -33,7 +33,7 @@ pub(super) enum Nature {
     /// The same without modes.
     Rigid(Type),
     /// Numbers in the macro.
-    Inline(InlineBody),
+    Inline(Box<InlineBody>),
 }
 
 /// `rigid { mass: ..., ... }`
@@ -176,7 +176,7 @@ impl Parse for Nature {
         }
         let content;
         let braces = braced!(content in input);
-        inline(&content, braces.span.join()).map(Self::Inline)
+        inline(&content, braces.span.join()).map(|body| Self::Inline(Box::new(body)))
     }
 }
 

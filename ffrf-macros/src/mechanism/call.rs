@@ -67,7 +67,7 @@ impl Call {
         let all: Vec<&Argument> = self.arguments.iter().collect();
         let found = all.len();
         all.try_into().map_err(|_| {
-            let message = format!("`{}` takes {expected}, found {found} arguments", self.kind);
+            let message = format!("`{}` takes {expected}, found {found} in all", self.kind);
             syn::Error::new(self.kind.span(), message)
         })
     }

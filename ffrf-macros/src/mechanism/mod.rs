@@ -12,6 +12,8 @@ mod joints;
 mod scalar;
 mod sensors;
 mod spec;
+#[cfg(test)]
+mod tests;
 
 use proc_macro2::TokenStream;
 

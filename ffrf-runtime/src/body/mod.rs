@@ -13,6 +13,7 @@ mod modal_vector;
 mod motion;
 mod named_markers;
 mod observables;
+mod oscillator;
 mod pair;
 mod prepared;
 mod rigid_body;
@@ -36,6 +37,7 @@ pub use pair::{Pair, PairSystem};
 pub use prepared::{Eliminated, Factored, Prepared};
 
 pub(crate) use implicit::ImplicitBody;
+pub use oscillator::Oscillators;
 pub use rigid_body::RigidBody;
 pub(crate) use span::Span;
 pub(crate) use span_marker::SpanMarker;

@@ -13,6 +13,7 @@ mod elimination;
 #[doc(hidden)]
 pub mod generated;
 mod moving;
+mod node;
 mod plan;
 mod port;
 mod sensing;

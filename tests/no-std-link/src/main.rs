@@ -7,6 +7,7 @@
 #![no_main]
 
 mod generated;
+mod mechanisms;
 mod point_masses;
 mod pulsating_ball;
 
@@ -65,6 +66,9 @@ pub extern "C" fn main(_: i32, _: *const *const u8) -> i32 {
     }
     if !generated::every_form_flies() {
         return 6;
+    }
+    if !mechanisms::they_move() {
+        return 7;
     }
     0
 }

@@ -21,8 +21,8 @@ pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
         }
     });
     let couplings = plan.couplings.iter().map(|coupling| {
-        let (size, unknowns, block) = (coupling.size, coupling.unknowns, coupling.block);
-        quote! { Coupling { size: #size, unknowns: #unknowns, block: #block } }
+        let (size, unknowns) = (coupling.size, coupling.unknowns);
+        quote! { Coupling { size: #size, unknowns: #unknowns } }
     });
     let targets = &plan.targets;
     let bodies = plan.bodies.iter().map(|body| {

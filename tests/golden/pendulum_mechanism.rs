@@ -1,0 +1,386 @@
+//! Code of a mechanism, committed: see ffrf-macros/src/mechanism/tests.rs.
+
+#[doc = r" A flexible pendulum."]
+#[derive(Debug, Clone, Copy)]
+pub struct Pendulum {
+    #[doc = "Body `beam`."]
+    pub beam: Beam,
+    #[doc = r" Gravity. Shape: 3. Units: m/s². Frame: inertial."]
+    pub gravity: ::ffrf::nalgebra::Vector3<f64>,
+    #[doc = r" How joints are kept while time advances."]
+    pub treatment: ::ffrf::mechanism::Treatment<f64>,
+    #[doc = r" How redundant rows are dealt with."]
+    pub regularisation: ::ffrf::mechanism::Regularisation<f64>,
+    connections: [::ffrf::mechanism::Connection<f64>; 1usize],
+    markers_of_beam: [::ffrf::Marker<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>; 2usize],
+}
+#[allow(dead_code, clippy::all, clippy::pedantic)]
+impl Pendulum {
+    #[doc = r" The joints and drives by their numbers in errors."]
+    pub const JOINTS: [&'static str; 1usize] = ["pin"];
+    #[doc = r" The mechanism of these bodies."]
+    pub fn new(beam: Beam) -> Self {
+        use ::ffrf::generated_support::mechanism as support;
+        let mut connections = [support::unconnected::<f64>(); 1usize];
+        support::connect::<f64>(&mut connections, 0usize, 1usize, |_| ::ffrf::mechanism::Connection {
+            kind: ::ffrf::joints::JointKind::Revolute(::ffrf::joints::Revolute),
+            first: ::ffrf::mechanism::Attachment::<f64>::on_ground(
+                ::ffrf::nalgebra::Vector3::<f64>::zeros(),
+                ::ffrf::mechanism::along_axis::<f64>(&::ffrf::generated_support::mechanism::vector3::<f64>(
+                    [0f64, 1f64, 0f64],
+                )),
+            ),
+            second: ::ffrf::mechanism::Attachment::<f64>::on_body(
+                0usize,
+                0usize,
+                ::ffrf::mechanism::along_axis::<f64>(&::ffrf::generated_support::mechanism::vector3::<f64>(
+                    [0f64, 1f64, 0f64],
+                )),
+            ),
+        });
+        Self {
+            beam,
+            gravity: ::ffrf::generated_support::mechanism::vector3::<f64>([0.0, 0.0, -9.81]),
+            treatment: ::ffrf::mechanism::Treatment::projection(),
+            regularisation: ::ffrf::mechanism::Regularisation::of_trees(),
+            connections,
+            markers_of_beam: [Beam::ROOT, Beam::TIP],
+        }
+    }
+    #[doc = r" Every body at rest at the inertial origin, undeformed, its frame parallel to the inertial frame."]
+    pub fn at_rest(&self) -> PendulumState {
+        PendulumState { beam: ::ffrf::State::at_rest(&self.beam) }
+    }
+    #[doc = r" The same mechanism with second triads turned so that the orientations of `state` meet the joints."]
+    #[doc = r""]
+    #[doc = r" Without this, the triads of both ends of a joint are turned in their markers as the axes say."]
+    #[must_use]
+    pub fn met_in(self, state: &PendulumState) -> Self {
+        let connections = {
+            let ports =
+                ::ffrf::mechanism::Assembly::<f64>::ports(&self, *state, ::core::option::Option::None);
+            self.connections.map(|connection| connection.met_in(&ports))
+        };
+        Self { connections, ..self }
+    }
+    #[doc = r" The mechanism in motion: in `state`, at time zero."]
+    pub fn in_motion(self, state: PendulumState) -> ::ffrf::mechanism::Mechanism<Self, f64> {
+        ::ffrf::mechanism::Mechanism::new(self, state)
+    }
+    #[doc = r" The state that was saved with `to_array`, bit by bit."]
+    pub fn state_from_array(&self, numbers: &[f64; { PendulumState::SIZE }]) -> PendulumState {
+        let mut state = self.at_rest();
+        let mut numbers = numbers.iter().copied();
+        for body in ::core::slice::from_mut(&mut state.beam) {
+            body.set_numbers(&mut numbers);
+        }
+        state
+    }
+}
+#[doc = r" The state of each body."]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PendulumState {
+    #[doc = "Of body `beam`."]
+    pub beam: ::ffrf::State<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>,
+}
+#[allow(dead_code, clippy::all, clippy::pedantic)]
+impl PendulumState {
+    #[doc = r" Number of its numbers: 13 and twice the modes of each body."]
+    pub const SIZE: usize = ::core::mem::size_of::<PendulumState>() / ::core::mem::size_of::<f64>();
+    #[doc = r" Every number of the state, to be saved: body by body as `ffrf::State::numbers` has them."]
+    pub fn to_array(&self) -> [f64; { PendulumState::SIZE }] {
+        let mut numbers = [::ffrf::generated_support::constant::<f64>(0.0); { PendulumState::SIZE }];
+        let mut places = numbers.iter_mut();
+        for body in ::core::slice::from_ref(&self.beam) {
+            for number in body.numbers() {
+                if let ::core::option::Option::Some(place) = places.next() {
+                    *place = number;
+                }
+            }
+        }
+        numbers
+    }
+}
+#[doc = r" A change of the state of each body."]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PendulumIncrement {
+    #[doc = "Of body `beam`."]
+    pub beam: ::ffrf::Increment<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>,
+}
+#[doc = r" Each body in one state, with its forces and the rows of its joints."]
+pub struct PendulumPorts<'a> {
+    #[doc = "Body `beam`."]
+    pub beam: ::ffrf::mechanism::BodyPort<
+        'a,
+        Beam,
+        [::ffrf::mechanism::AttachedRow<<Beam as ::ffrf::FlexibleBody<f64>>::Modal>; 5usize],
+        f64,
+    >,
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::ffrf::VectorSpace<f64> for PendulumIncrement {
+    fn add_scaled(&mut self, factor: f64, other: &Self) {
+        for (own, other) in
+            ::core::slice::from_mut(&mut self.beam).iter_mut().zip(::core::slice::from_ref(&other.beam))
+        {
+            own.add_scaled(factor, other);
+        }
+    }
+    fn scale(&mut self, factor: f64) {
+        for own in ::core::slice::from_mut(&mut self.beam) {
+            own.scale(factor);
+        }
+    }
+}
+#[allow(dead_code, clippy::all, clippy::pedantic)]
+impl Pendulum {
+    #[doc = "Position. Shape: 3. Units: m. Frame: inertial."]
+    pub fn tip(&self, state: &PendulumState) -> ::ffrf::nalgebra::Vector3<f64> {
+        let ports = ::ffrf::mechanism::Assembly::<f64>::ports(self, *state, ::core::option::Option::None);
+        ::ffrf::mechanism::Attachment::<f64>::on_body(
+            0usize,
+            1usize,
+            ::ffrf::nalgebra::UnitQuaternion::<f64>::identity(),
+        )
+        .motion(&ports)
+        .position
+    }
+    #[doc = "Force of the joint on its second body at `time` (s). Shape: 3. Units: N. Frame: inertial."]
+    #[doc = r""]
+    #[doc = r" Errors: no accelerations exist in this state."]
+    pub fn load(
+        &self,
+        time: f64,
+        state: &PendulumState,
+    ) -> ::core::result::Result<::ffrf::nalgebra::Vector3<f64>, ::ffrf::StepError> {
+        ::ffrf::mechanism::Constrained(self).evaluate(
+            time,
+            *state,
+            ::core::option::Option::None,
+            |ports, storage, _| {
+                let _ = ports;
+                let plan = ::ffrf::mechanism::Assembly::<f64>::plan(self);
+                ::ffrf::mechanism::reaction(&plan, storage, 0usize).force
+            },
+        )
+    }
+}
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    unused_imports,
+    unused_qualifications,
+    unused_variables,
+    unused_mut
+)]
+const _: () = {
+    use ::ffrf::mechanism::{
+        Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
+    };
+    static STEPS: [Step; 2usize] = [
+        Step { size: 6usize, unknowns: 0usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
+        Step { size: 5usize, unknowns: 6usize, diagonal: 66usize, couplings: 1usize, targets: 1usize },
+    ];
+    static COUPLINGS: [Coupling; 1usize] = [Coupling { size: 5usize, unknowns: 6usize }];
+    static TARGETS: [usize; 1usize] = [66usize];
+    static BODIES: [BodyPlace; 1usize] = [BodyPlace { unknowns: 0usize, diagonal: 0usize }];
+    static JOINTS: [JointPlace; 1usize] = [JointPlace {
+        rows: 5usize,
+        unknowns: 6usize,
+        diagonal: 66usize,
+        ends: [
+            ::core::option::Option::None,
+            ::core::option::Option::Some(EndPlace {
+                body: 0usize,
+                slot: 0usize,
+                block: Block { start: 36usize, columns: 6usize, transposed: false },
+            }),
+        ],
+    }];
+    static SHARED: [SharedPlace; 0usize] = [];
+    use ::ffrf::generated_support::mechanism as support;
+    impl ::ffrf::mechanism::Ports<f64> for PendulumPorts<'_> {
+        fn port(&self, index: usize) -> ::core::option::Option<&dyn ::ffrf::mechanism::Port<f64>> {
+            match index {
+                0usize => ::core::option::Option::Some(&self.beam),
+                _ => ::core::option::Option::None,
+            }
+        }
+        fn port_mut(
+            &mut self,
+            index: usize,
+        ) -> ::core::option::Option<&mut dyn ::ffrf::mechanism::Port<f64>> {
+            match index {
+                0usize => ::core::option::Option::Some(&mut self.beam),
+                _ => ::core::option::Option::None,
+            }
+        }
+    }
+    impl ::ffrf::mechanism::Assembly<f64> for Pendulum {
+        type State = PendulumState;
+        type Increment = PendulumIncrement;
+        type Ports<'a>
+            = PendulumPorts<'a>
+        where
+            Self: 'a;
+        fn ports<'a>(
+            &'a self,
+            state: Self::State,
+            implicit: ::core::option::Option<::ffrf::mechanism::ImplicitTerms<'a, Self::Increment, f64>>,
+        ) -> Self::Ports<'a> {
+            PendulumPorts {
+                beam: ::ffrf::mechanism::BodyPort::new(
+                    &self.beam,
+                    &self.markers_of_beam,
+                    state.beam,
+                    support::empty_rows(&self.beam),
+                    implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
+                        gamma_h: terms.gamma_h,
+                        subtracted: terms.subtracted.map(|all| &all.beam),
+                    }),
+                ),
+            }
+        }
+        fn collect(&self, ports: &Self::Ports<'_>, increment: &Self::Increment) -> Self::Increment {
+            let mut rates = *increment;
+            for (own, other) in
+                ::core::slice::from_mut(&mut rates.beam).iter_mut().zip(::core::slice::from_ref(&ports.beam))
+            {
+                *own = other.rate(own);
+            }
+            rates
+        }
+        fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
+            for port in ::core::slice::from_mut(&mut ports.beam) {
+                match level {
+                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
+                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
+                }
+            }
+        }
+        fn state(&self, ports: Self::Ports<'_>) -> Self::State {
+            PendulumState { beam: ports.beam.state }
+        }
+        fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R) -> R {
+            let still = support::still::<f64>();
+            use_it(&mut ::ffrf::mechanism::Storage {
+                values: &mut [::ffrf::generated_support::constant::<f64>(0.0); 91usize],
+                solution: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
+                right: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
+                shift: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
+                rows: &mut [::ffrf::relations::Rows::none(); 1usize],
+                ends: &mut [[still; 2]; 1usize],
+            })
+        }
+        fn plan(&self) -> Plan<'_> {
+            Plan {
+                elimination: Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+                bodies: &BODIES,
+                joints: &JOINTS,
+                shared: &SHARED,
+            }
+        }
+        fn connections(&self) -> &[::ffrf::mechanism::Connection<f64>] {
+            &self.connections
+        }
+        fn joint_name(&self, joint: usize) -> &'static str {
+            match Self::JOINTS.get(joint) {
+                ::core::option::Option::Some(name) => name,
+                ::core::option::Option::None => "",
+            }
+        }
+        fn drive(&self, joint: usize, time: f64) -> [f64; 3] {
+            match joint {
+                _ => [::ffrf::generated_support::constant::<f64>(0.0); 3],
+            }
+        }
+        fn load(&self, time: f64, ports: &mut Self::Ports<'_>) {
+            for port in ::core::slice::from_mut(&mut ports.beam) {
+                ::ffrf::mechanism::Port::weigh(port, &self.gravity);
+            }
+        }
+        fn treatment(&self) -> ::ffrf::mechanism::Treatment<f64> {
+            self.treatment
+        }
+        fn regularisation(&self) -> ::ffrf::mechanism::Regularisation<f64> {
+            self.regularisation
+        }
+        fn is_finite(&self, state: &Self::State) -> bool {
+            ::core::slice::from_ref(&state.beam).iter().all(::ffrf::State::is_finite)
+        }
+        fn no_change(&self, state: &Self::State) -> Self::Increment {
+            PendulumIncrement { beam: ::ffrf::Increment::zeros(&state.beam.modal_coordinates) }
+        }
+        fn retract(&self, origin: &Self::State, increment: &Self::Increment) -> Self::State {
+            let mut state = *origin;
+            for (own, other) in ::core::slice::from_mut(&mut state.beam)
+                .iter_mut()
+                .zip(::core::slice::from_ref(&increment.beam))
+            {
+                *own = own.retract(other);
+            }
+            state
+        }
+        fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
+            let mut rates = *increment;
+            for (own, other) in
+                ::core::slice::from_mut(&mut rates.beam).iter_mut().zip(::core::slice::from_ref(&origin.beam))
+            {
+                *own = own.place_rate(&other.retract(own));
+            }
+            rates
+        }
+        fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment {
+            let mut increment = *increment;
+            for port in ::core::slice::from_mut(&mut increment.beam) {
+                *port = port.velocities_only();
+            }
+            increment
+        }
+        fn local_error(&self, difference: &Self::Increment) -> ::ffrf::LocalError<f64> {
+            let mut error = ::ffrf::LocalError {
+                position: ::ffrf::generated_support::constant::<f64>(0.0),
+                orientation: ::ffrf::generated_support::constant::<f64>(0.0),
+                modal_coordinates: ::ffrf::generated_support::constant::<f64>(0.0),
+            };
+            for part in ::core::slice::from_ref(&difference.beam) {
+                error = error.or(part.local_error());
+            }
+            error
+        }
+        fn weighted_error(
+            &self,
+            state: &Self::State,
+            difference: &Self::Increment,
+            tolerances: &::ffrf::Tolerances<f64>,
+        ) -> f64 {
+            let (mut sum, mut count) = (
+                ::ffrf::generated_support::constant::<f64>(0.0),
+                ::ffrf::generated_support::constant::<f64>(0.0),
+            );
+            for (state, part) in
+                ::core::slice::from_ref(&state.beam).iter().zip(::core::slice::from_ref(&difference.beam))
+            {
+                let (squares, number) = part.weighted_squares(state, tolerances);
+                sum += squares;
+                count += number;
+            }
+            ::ffrf::nalgebra::ComplexField::sqrt(sum / count)
+        }
+        fn largest_stable_step(&self) -> ::core::option::Option<f64> {
+            let mut least: ::core::option::Option<f64> = ::core::option::Option::None;
+            for body in ::core::slice::from_ref(&self.beam) {
+                if let ::core::option::Option::Some(step) =
+                    ::ffrf::FlexibleBody::<f64>::largest_stable_step(body)
+                {
+                    least = ::core::option::Option::Some(match least {
+                        ::core::option::Option::Some(other) if other < step => other,
+                        _ => step,
+                    });
+                }
+            }
+            least
+        }
+    }
+};
