@@ -195,6 +195,10 @@ pub struct Reduce {
     /// commas, or a node set of the deck. Repeatable.
     #[arg(long = "marker", value_name = "NAME=NODE", value_parser = parse_marker)]
     pub markers: Vec<MarkerArgument>,
+    /// Write the surface with the displacements of the modes to this file, for animations (.npz); see `ffrf simulate
+    /// --animation`.
+    #[arg(long, value_name = "SURFACE.npz", conflicts_with = "interfaces")]
+    pub surface: Option<PathBuf>,
     /// A line for people (default: name of the node file).
     #[arg(long)]
     pub title: Option<String>,

@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use ffrf_host::analysis::{Eigenmode, StateSpace, eigenmodes, equilibrium, frequency_response, linearise};
+use ffrf_host::analysis::{
+    Drives, Eigenmode, StateSpace, eigenmodes, equilibrium, frequency_response, linearise,
+};
 use ffrf_host::scene::Scene;
 use ffrf_host::simulate::SavedState;
 
@@ -26,19 +28,19 @@ pub fn run(arguments: &Linearise) -> Result<()> {
     let scene = Scene::read(path).with_context(|| format!("{}", path.display()))?;
     let in_scene = || format!("{}", path.display());
     let mut report = String::new();
-    let (time, state) = match (&arguments.load_state, arguments.at) {
+    let (time, state, drives) = match (&arguments.load_state, arguments.at) {
         (Some(saved), _) => {
             let text = std::fs::read_to_string(saved).with_context(|| format!("{}", saved.display()))?;
             let saved: SavedState =
                 serde_json::from_str(&text).with_context(|| format!("{}", saved.display()))?;
-            (saved.time, saved.states(&scene).with_context(in_scene)?)
+            (saved.time, saved.states(&scene).with_context(in_scene)?, Drives::Moving)
         }
-        (None, StateChoice::Initial) => (0.0, scene.assembled().with_context(in_scene)?.0),
+        (None, StateChoice::Initial) => (0.0, scene.assembled().with_context(in_scene)?.0, Drives::Moving),
         (None, StateChoice::Rest) => {
             let rest = equilibrium(&scene).with_context(in_scene)?;
             let _ = writeln!(
                 report,
-                "state of rest: {} iterations, accelerations of {:.1e} are left",
+                "state of rest, with drives held: {} iterations, accelerations of {:.1e} are left",
                 rest.iterations, rest.residual
             );
             if let Some(target) = &arguments.save_state {
@@ -46,10 +48,10 @@ pub fn run(arguments: &Linearise) -> Result<()> {
                 output::write(Some(target), &format!("{text}\n"))?;
                 let _ = writeln!(report, "written: {}", target.display());
             }
-            (rest.time, rest.state)
+            (rest.time, rest.state, Drives::Held)
         }
     };
-    let system = linearise(&scene, time, &state).with_context(in_scene)?;
+    let system = linearise(&scene, time, &state, drives).with_context(in_scene)?;
     let modes = eigenmodes(&system.a).with_context(in_scene)?;
     report.push_str(&describe(&system, &modes));
     if let Some(target) = &arguments.output {

@@ -6,6 +6,7 @@
 mod document;
 mod frames;
 mod shapes;
+mod skin;
 mod surface;
 
 use anyhow::Result;
@@ -13,6 +14,7 @@ use ffrf_host::scene::Scene;
 
 use crate::results::Columns;
 
+pub use skin::skin;
 pub use surface::Surface;
 
 /// How a simulation is shown.

@@ -35,7 +35,7 @@ pub struct Linearise {
 /// Which state of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum StateChoice {
-    /// Where the mechanism comes to rest.
+    /// Where the mechanism comes to rest, with drives held as they are at time zero.
     Rest,
     /// The initial state, assembled.
     Initial,

@@ -15,7 +15,7 @@ use crate::simulate::{Advance, SavedState};
 /// A state in which a mechanism rests.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equilibrium {
-    /// Time, at which drives were read. Units: s.
+    /// Time, at which drives are held. Units: s.
     pub time: f64,
     /// The states of the bodies.
     pub state: States,
@@ -44,16 +44,16 @@ const TURN: f64 = 0.3;
 /// Rate of a residual at rest from which on a joint counts as driven. Units: m/s or rad/s.
 const DRIVEN: f64 = 1e-9;
 
-/// Where a scene comes to rest, from its initial state, with drives at time zero.
+/// Where a scene comes to rest, from its initial state, with drives held as they are at time zero.
 ///
 /// Pseudo-time steps become Newton's method as accelerations fall; where the potential bends down they stay so short that the
 /// way leads to stable equilibria. Source: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation,
 /// SIAM J. Numer. Anal. 35 (1998) 508-523.
 ///
-/// Errors: a drive moves, or no equilibrium is found.
+/// Errors: no equilibrium is found.
 pub fn equilibrium(scene: &Scene) -> Result<Equilibrium, AnalysisError> {
     let (state, _) = scene.assembled()?;
-    search(scene, &scene.mechanism, state, None)
+    search(scene, &scene.mechanism.with_drives_held(0.0), state, None)
 }
 
 /// The same from a state, for a mechanism that turns steadily with `spin`.

@@ -25,5 +25,5 @@ pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::AnalysisError;
 pub use response::frequency_response;
 pub use spin::SpinFrame;
-pub use state_space::{StateSpace, linearise};
+pub use state_space::{Drives, StateSpace, linearise};
 pub use whirl::Whirl;

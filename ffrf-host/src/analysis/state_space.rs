@@ -39,11 +39,33 @@ pub struct StateSpace {
     pub outputs: Vec<String>,
 }
 
+/// What drives do while a scene is linearised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Drives {
+    /// They stay where they are, as in a state of rest.
+    Held,
+    /// They go on as the scene says.
+    Moving,
+}
+
 /// Linearises a scene in a state at a time (s), about rest or in motion. Inputs are its forces, moments and actuators, outputs its sensors.
 ///
 /// Derivatives are exact, by dual numbers. Errors: no accelerations exist there.
-pub fn linearise(scene: &Scene, time: f64, state: &[State<HostModal>]) -> Result<StateSpace, AnalysisError> {
-    let point = Point::new(scene, &scene.mechanism, time, state.to_vec());
+pub fn linearise(
+    scene: &Scene,
+    time: f64,
+    state: &[State<HostModal>],
+    drives: Drives,
+) -> Result<StateSpace, AnalysisError> {
+    let held;
+    let mechanism = match drives {
+        Drives::Moving => &scene.mechanism,
+        Drives::Held => {
+            held = scene.mechanism.with_drives_held(time);
+            &held
+        }
+    };
+    let point = Point::new(scene, mechanism, time, state.to_vec());
     let tangent = Tangent::new(&point, &scene.body_names)?;
     let mut system = matrices(&point, &tangent)?;
     let elements = scene.mechanism.elements().iter().zip(&scene.element_names).enumerate();

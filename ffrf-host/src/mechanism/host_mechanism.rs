@@ -75,6 +75,15 @@ impl HostMechanism {
         })
     }
 
+    /// The same mechanism with every drive held at its value at `time` (s); forces of users' own stay behind.
+    pub fn with_drives_held(&self, time: f64) -> Self {
+        let mut held = self.cast();
+        for drive in held.drives.iter_mut().flatten() {
+            *drive = Drive::Polynomial(vec![drive.at(time)[0]]);
+        }
+        held
+    }
+
     /// The same mechanism in another number type; forces of users' own stay behind.
     pub fn cast<T: RealField + Copy>(&self) -> HostMechanism<T> {
         HostMechanism {

@@ -1,6 +1,6 @@
 //! A flexible body held at a marker against the eigenproblem of its model under the same constraints.
 
-use ffrf_host::analysis::{eigenmodes, linearise};
+use ffrf_host::analysis::{Drives, eigenmodes, linearise};
 use ffrf_host::{HostBody, HostModal};
 use ffrf_model::ReducedBody;
 use ffrf_runtime::{FlexibleBody as _, Observables as _, State};
@@ -15,7 +15,7 @@ fn the_rod_held_at_its_big_end_vibrates_as_its_model_says() {
     let scene = scene(text);
     let (state, missed) = scene.assembled().unwrap();
     assert!(missed[0] < 1e-9, "{missed:?}");
-    let modes = eigenmodes(&linearise(&scene, 0.0, &state).unwrap().a).unwrap();
+    let modes = eigenmodes(&linearise(&scene, 0.0, &state, Drives::Held).unwrap().a).unwrap();
 
     // K φ = λ M φ on the motions [v; ω; q̇] that leave the marker at rest, at the undeformed state
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/conrod.ffrf.json");

@@ -1,7 +1,7 @@
 //! The state matrix against differences of the rates that integrators see, in states that move and bend.
 
 use ffrf_host::HostModal;
-use ffrf_host::analysis::linearise;
+use ffrf_host::analysis::{Drives, linearise};
 use ffrf_host::mechanism::HostIncrement;
 use ffrf_runtime::mechanism::{Assembly as _, Constrained};
 use ffrf_runtime::{Increment, System as _};
@@ -59,7 +59,7 @@ of = "elbow"
 fn the_state_matrix_is_the_derivative_of_the_rates() {
     let scene = scene(TEXT);
     let (state, _) = scene.assembled().unwrap();
-    let system = linearise(&scene, 0.0, &state).unwrap();
+    let system = linearise(&scene, 0.0, &state, Drives::Moving).unwrap();
     let n = system.basis.nrows() / 2;
     // 6 + 9 velocities, of which the joints hold 5 and 3
     assert_eq!((n, system.a.nrows()), (15, 14));

@@ -1,6 +1,6 @@
 //! Inputs, outputs and the frequency response of one mass.
 
-use ffrf_host::analysis::{equilibrium, frequency_response, linearise};
+use ffrf_host::analysis::{Drives, equilibrium, frequency_response, linearise};
 use nalgebra::Complex;
 
 use crate::scene;
@@ -20,7 +20,7 @@ fn a_mass_on_a_spring_answers_a_force_as_its_transfer_function_says() {
     let scene = scene(&text);
     let rest = equilibrium(&scene).unwrap();
     assert!((rest.state[0].position.x - (1.0 + 3.0 / k)).abs() < 1e-12);
-    let system = linearise(&scene, rest.time, &rest.state).unwrap();
+    let system = linearise(&scene, rest.time, &rest.state, Drives::Held).unwrap();
     assert_eq!(system.inputs, ["push"]);
     assert_eq!(system.outputs[0], "place.x");
     assert_eq!(system.coordinates.len(), system.basis.nrows());

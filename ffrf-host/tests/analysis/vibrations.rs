@@ -1,6 +1,6 @@
 //! Small vibrations with known frequencies.
 
-use ffrf_host::analysis::{AnalysisError, eigenmodes, equilibrium, linearise};
+use ffrf_host::analysis::{Drives, eigenmodes, equilibrium, linearise};
 
 use crate::{close, scene};
 
@@ -30,7 +30,7 @@ fn a_pendulum_comes_to_rest_below_its_pin_and_swings_at_its_frequency() {
     let rest = equilibrium(&scene).unwrap();
     let down = rest.state[0].to_inertial(&nalgebra::Vector3::x());
     assert!((down - nalgebra::Vector3::new(0.0, -1.0, 0.0)).norm() < 1e-9, "{down}");
-    let system = linearise(&scene, rest.time, &rest.state).unwrap();
+    let system = linearise(&scene, rest.time, &rest.state, Drives::Held).unwrap();
     assert_eq!(system.a.shape(), (2, 2));
     let modes = eigenmodes(&system.a).unwrap();
     let expected = (2.0 * 9.81 * 0.5 / (0.2_f64 + 2.0 * 0.25)).sqrt() / std::f64::consts::TAU;
@@ -64,7 +64,7 @@ fn a_chain_of_masses_has_the_frequencies_and_damping_of_a_chain() {
     let scene = scene(&text);
     let rest = equilibrium(&scene).unwrap();
     assert_eq!(rest.iterations, 0, "it begins at rest");
-    let modes = eigenmodes(&linearise(&scene, rest.time, &rest.state).unwrap().a).unwrap();
+    let modes = eigenmodes(&linearise(&scene, rest.time, &rest.state, Drives::Held).unwrap().a).unwrap();
     assert_eq!(modes.len(), 3);
     for (k, mode) in modes.iter().enumerate() {
         // fixed-free chain: 2 √(k/m) sin((2j - 1) π / (2 (2n + 1)))
@@ -98,14 +98,21 @@ fn a_stiff_flexible_pendulum_comes_to_rest_below_its_pin() {
     assert!(rest.iterations < 40, "{}", rest.iterations);
 }
 
+/// A second pendulum at the tip of one that is driven: rest is with the drive where it is, however it moves.
 #[test]
-fn a_driven_joint_has_no_state_of_rest() {
-    let text = format!("{PENDULUM}drive = {{ angle = [0.0, 2.0] }}\n");
-    match equilibrium(&scene(&text)) {
-        Err(AnalysisError::Driven { joint, rate }) => {
-            assert_eq!(joint, "pin.drive");
-            close("rate", rate, 2.0, 1e-9);
-        }
-        other => panic!("{other:?}"),
-    }
+fn a_driven_joint_is_held_where_it_is() {
+    let text = format!(
+        "{PENDULUM}drive = {{ angle = [0.4, 2.0, 3.0] }}\n\
+         [bodies.lower]\nmass = 2.0\ncenter_of_mass = [0.5, 0.0, 0.0]\n\
+         inertia = [[1e-3, 0.0, 0.0], [0.0, 0.2, 0.0], [0.0, 0.0, 0.2]]\nposition = [1.0, 0.0, 0.0]\n\
+         [joints.elbow]\nkind = \"revolute\"\nfirst = \"bar.TIP\"\nsecond = \"lower\"\n"
+    );
+    let scene = scene(&text);
+    let rest = equilibrium(&scene).unwrap();
+    let direction = rest.state[0].to_inertial(&nalgebra::Vector3::x());
+    close("angle", direction.y.atan2(direction.x), 0.4, 1e-12);
+    let modes = eigenmodes(&linearise(&scene, 0.0, &rest.state, Drives::Held).unwrap().a).unwrap();
+    assert_eq!(modes.len(), 1);
+    let expected = (2.0 * 9.81 * 0.5 / (0.2_f64 + 2.0 * 0.25)).sqrt() / std::f64::consts::TAU;
+    close("frequency", modes[0].frequency_hz(), expected, ROUNDING);
 }
