@@ -36,7 +36,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
             "ffrf-host",
             entry(
                 &["ffrf-codegen", "ffrf-model", "ffrf-runtime"],
-                &["nalgebra", "num-dual", "serde", "thiserror", "toml"],
+                &["faer", "nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
         (
