@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use anyhow::{Context, Result, bail};
-use ffrf_codegen::{GenerateOptions, Strategy};
+use ffrf_codegen::{GenerateOptions, Language, Strategy};
 use ffrf_model::{ModeSelection, ReducedBody};
 
 use crate::arguments::Generate;
@@ -27,7 +27,13 @@ pub fn run(arguments: &Generate) -> Result<()> {
             let source_name = model.file_name().map(|name| name.to_string_lossy().into_owned());
             options.source_name = source_name.unwrap_or_default();
             options.modes = modes.clone();
+            if arguments.language == Language::C {
+                return write_c(arguments, &body, &options).with_context(|| format!("{}", model.display()));
+            }
             ffrf_codegen::generate(&body, &options).with_context(|| format!("{}", model.display()))?
+        }
+        (None, ..) if arguments.language == Language::C => {
+            bail!("--language c: a model is expected, invariants at run time are for Rust")
         }
         (None, Some(layout), Some(ModeSelection::First(modes))) => {
             ffrf_codegen::generate_with_layout(*modes, layout, &options).context("--layout")?
@@ -38,6 +44,22 @@ pub fn run(arguments: &Generate) -> Result<()> {
         (None, ..) => bail!("no invariants: give a model, or --layout and --modes"),
     };
     output::write(arguments.output.as_deref(), &code.text)
+}
+
+/// Writes source and header, or both as one text to standard output.
+fn write_c(arguments: &Generate, body: &ReducedBody, options: &GenerateOptions) -> Result<()> {
+    let code = ffrf_codegen::generate_c(body, options)?;
+    let Some(source) = arguments.output.as_deref() else { return output::write(None, &code.single_file()) };
+    if source.extension().is_none_or(|extension| extension != "c") {
+        bail!(
+            "-o {}: expected the name of a source, NAME.c; {}.h is written beside it",
+            source.display(),
+            code.prefix
+        );
+    }
+    let header = source.with_file_name(format!("{}.h", code.prefix));
+    output::write(Some(&header), &code.header)?;
+    output::write(Some(source), &code.source)
 }
 
 /// The layout found in a body and the operations of each kernel.

@@ -156,3 +156,23 @@ fn bad_input_does_not_reach_the_terminal_raw() {
     let code = bench.run("generate body.ffrf.json").succeeded();
     assert!(!raw(&code) && !code.lines().any(|line| line.starts_with("fn evil")), "{code}");
 }
+
+#[test]
+fn generated_c_is_a_source_and_a_header_called_after_the_body() {
+    let bench = Workbench::with_part();
+    bench.run("reduce --nodes X.txt --mass M.mtx --stiffness K.mtx -o body.ffrf.json --modes 2").succeeded();
+    bench.run("generate body.ffrf.json --language c --name TestRod -o rod.c").succeeded();
+    assert!(bench.read("rod.c").contains("#include \"test_rod.h\""));
+    assert!(bench.read("test_rod.h").contains("void test_rod_forward_dynamics("));
+    let both = bench.run("generate body.ffrf.json --language c").succeeded();
+    assert!(
+        both.contains("#ifndef BODY_H")
+            && both.contains("double body_kinetic_energy(")
+            && !both.contains("#include \"body.h\"")
+    );
+    bench.run("generate body.ffrf.json --language c -o rod.h").failed(1, &["rod.h", "NAME.c"]);
+    bench
+        .run("generate body.ffrf.json --language c --scalar generic")
+        .failed(1, &["body.ffrf.json", "generic", "f64 or f32"]);
+    bench.run("generate --layout damping=zero --modes 2 --language c").failed(1, &["--language c", "model"]);
+}

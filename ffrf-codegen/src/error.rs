@@ -64,6 +64,16 @@ pub enum CodegenError {
         /// What stands in the way.
         reason: &'static str,
     },
+    /// An option that C has no equal of.
+    #[error("{option} {found} cannot be had in C: expected {expected}")]
+    NotInC {
+        /// The option.
+        option: &'static str,
+        /// Its value.
+        found: &'static str,
+        /// What can be had.
+        expected: &'static str,
+    },
     /// The mass left after eliminating the modes is not positive: the modes contain rigid-body motion.
     #[error(
         "the modes are not independent of rigid-body motion: pivot {pivot} of the reduced mass is {found:e}, expected > 0"

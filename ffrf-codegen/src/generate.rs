@@ -1,4 +1,4 @@
-//! The generator: a body in, Rust out. The macro, build scripts and the command line all come through here.
+//! The generator: a body in, Rust or C out. The macro, build scripts and the command line all come through here.
 
 use ffrf_model::ReducedBody;
 use proc_macro2::TokenStream;
@@ -13,7 +13,7 @@ use crate::passes;
 use crate::prepare::{check_name, prepare};
 use crate::report::{KernelReport, Report, Source};
 use crate::validate::ValidKernel;
-use crate::{CodegenError, GenerateOptions};
+use crate::{CodegenError, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
 
 /// A generated body.
 #[derive(Debug, Clone)]
@@ -30,14 +30,7 @@ pub struct GeneratedCode {
 ///
 /// The same body and options give the same text, to the byte. Errors: see [`CodegenError`]. Panics: never.
 pub fn generate(body: &ReducedBody, options: &GenerateOptions) -> Result<GeneratedCode, CodegenError> {
-    let source = Source::of(body)?;
-    let model = prepare(body, options)?;
-    let mut graph = Graph::new();
-    let body = BodyExpressions::baked(&mut graph, &model, options.layout_tolerance)
-        .truncated(&mut graph, &options.fidelity);
-    let lanes = Lanes::of_constants(&mut graph, &body, options)?;
-    let layout = found(&model, options.layout_tolerance);
-    Formulated { source: Some((source, model)), layout, graph, body, lanes }.code(options)
+    Formulated::baked(body, options)?.code(options)
 }
 
 /// Generates the code of a body whose invariants are supplied at run time, as far as `layout` leaves them open.
@@ -58,6 +51,51 @@ pub fn generate_with_layout(
     Formulated { source: None, layout: *layout, graph, body, lanes }.code(options)
 }
 
+/// A body in C.
+#[derive(Debug, Clone)]
+pub struct GeneratedC {
+    /// The header.
+    pub header: String,
+    /// The source; it includes the header as `PREFIX.h`.
+    pub source: String,
+    /// What every name begins with, in lower case: the name of the body in snake case.
+    pub prefix: String,
+    /// Layout found and cost of each kernel.
+    pub report: Report,
+}
+
+impl GeneratedC {
+    /// Header and source in one text, for who wants one file.
+    pub fn single_file(&self) -> String {
+        let include = format!("#include \"{}.h\"\n", self.prefix);
+        format!("{}\n{}", self.header, self.source.replacen(&include, "", 1))
+    }
+}
+
+/// Generates the kernels of a body whose numbers are baked in as C99.
+///
+/// The kernels are statements, whatever their number, and the same operations in the same order as in Rust: a compiler
+/// that contracts nothing (`-ffp-contract=off`) gives the same bits. Attributes and visibility of the options are not used.
+/// Errors: see [`CodegenError`]. Panics: never.
+pub fn generate_c(body: &ReducedBody, options: &GenerateOptions) -> Result<GeneratedC, CodegenError> {
+    let refuse = |option, found, expected| Err(CodegenError::NotInC { option, found, expected });
+    if options.scalar == ScalarType::Generic {
+        return refuse("scalar", options.scalar.name(), "f64 or f32");
+    }
+    if options.fused_multiply_add == FusedMultiplyAdd::On {
+        return refuse("fma", options.fused_multiply_add.name(), "auto or off");
+    }
+    if options.strategy == Strategy::Lanes {
+        return refuse("strategy", options.strategy.name(), "auto or straight_line");
+    }
+    let options = GenerateOptions { strategy: Strategy::StraightLine, ..options.clone() };
+    let formulated = Formulated::baked(body, &options)?;
+    let kernels = formulated.kernels(&options)?;
+    let report = formulated.report(&options, &kernels);
+    let emit::CFiles { header, source, prefix } = emit::c(&formulated.subject(&report, &options), &kernels);
+    Ok(GeneratedC { header, source, prefix, report })
+}
+
 /// A body as expressions, whether its invariants are numbers or symbols.
 struct Formulated {
     /// The model that the numbers are from.
@@ -69,18 +107,38 @@ struct Formulated {
 }
 
 impl Formulated {
-    fn code(self, options: &GenerateOptions) -> Result<GeneratedCode, CodegenError> {
-        let kernels = self.kernels(options)?;
-        let (source, model) = self.source.unzip();
-        let report = Report {
+    fn baked(body: &ReducedBody, options: &GenerateOptions) -> Result<Self, CodegenError> {
+        let source = Source::of(body)?;
+        let model = prepare(body, options)?;
+        let mut graph = Graph::new();
+        let body = BodyExpressions::baked(&mut graph, &model, options.layout_tolerance)
+            .truncated(&mut graph, &options.fidelity);
+        let lanes = Lanes::of_constants(&mut graph, &body, options)?;
+        let layout = found(&model, options.layout_tolerance);
+        Ok(Self { source: Some((source, model)), layout, graph, body, lanes })
+    }
+
+    /// What is said about the body.
+    fn report(&self, options: &GenerateOptions, kernels: &[ValidKernel]) -> Report {
+        Report {
             mode_count: self.body.mode_count(),
-            source,
+            source: self.source.as_ref().map(|(source, _)| source.clone()),
             layout: self.layout,
             lanes: self.lanes.as_ref().map(|lanes| lanes.description(options.scalar)),
             kernels: kernels.iter().map(|kernel| KernelReport::of(kernel.kernel())).collect(),
-        };
-        let subject =
-            emit::Subject { model: model.as_ref(), lanes: self.lanes.as_ref(), report: &report, options };
+        }
+    }
+
+    /// The body as printers take it.
+    fn subject<'a>(&'a self, report: &'a Report, options: &'a GenerateOptions) -> emit::Subject<'a> {
+        let model = self.source.as_ref().map(|(_, model)| model);
+        emit::Subject { model, lanes: self.lanes.as_ref(), report, options }
+    }
+
+    fn code(self, options: &GenerateOptions) -> Result<GeneratedCode, CodegenError> {
+        let kernels = self.kernels(options)?;
+        let report = self.report(options, &kernels);
+        let subject = self.subject(&report, options);
         let text = emit::rust(&subject, &kernels);
         let tokens = text
             .parse()

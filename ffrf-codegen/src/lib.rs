@@ -1,4 +1,4 @@
-//! From a reduced flexible body to Rust kernels.
+//! From a reduced flexible body to kernels in Rust or C.
 //!
 //! ```text
 //! ReducedBody --layout--> BodyExpressions --formulate--> Kernel --passes--> Kernel
@@ -36,7 +36,9 @@ mod validate;
 pub use counts::OperationCounts;
 pub use error::CodegenError;
 pub use fidelity::Fidelity;
-pub use generate::{GeneratedCode, generate, generate_with_layout};
+pub use generate::{GeneratedC, GeneratedCode, generate, generate_c, generate_with_layout};
 pub use interpreted::{KernelInput, Kernels};
-pub use options::{DEFAULT_LAYOUT_TOLERANCE, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
+pub use options::{
+    DEFAULT_LAYOUT_TOLERANCE, FusedMultiplyAdd, GenerateOptions, Language, ScalarType, Strategy,
+};
 pub use report::{KernelReport, Report, Source};

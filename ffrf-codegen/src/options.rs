@@ -106,6 +106,34 @@ impl FusedMultiplyAdd {
     }
 }
 
+/// The language of generated code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Language {
+    /// Rust, as the macro makes it.
+    #[default]
+    Rust,
+    /// C99.
+    C,
+}
+
+impl Language {
+    /// Every language, the default first.
+    pub const ALL: [Self; 2] = [Self::Rust, Self::C];
+
+    /// The name by which the command line knows the language.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rust => "rust",
+            Self::C => "c",
+        }
+    }
+
+    /// The language of that name, if there is one.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|language| language.name() == name)
+    }
+}
+
 /// How the kernels with a product over all pairs of modes are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Strategy {

@@ -46,15 +46,16 @@ pub mod rotation;
 
 pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
-    GeneralisedForce, Increment, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
-    NamedMarkers, Observables, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State, Wrench,
+    GeneralisedForce, Increment, Load, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
+    NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State,
+    Wrench,
 };
-pub use forces::{Frame, Gravity, Load, MarkerLoad};
+pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{
-    AlphaMemory, ConservingSystem, ControlledStep, Correction, Drift, EnergyMomentum, GeneralisedAlpha,
-    ImplicitSystem, LocalError, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace,
-    step_dormand_prince, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
-    step_symplectic_euler, try_dormand_prince,
+    AlphaMemory, ConservingSystem, ControlledStep, Correction, Drift, EnergyMomentum, ExponentialSystem,
+    Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, StepError, StepReport, StiffSystem, System,
+    Tolerances, VectorSpace, step_dormand_prince, step_exponential, step_linearly_implicit,
+    step_linearly_implicit_euler, step_rk4, step_symplectic_euler, try_dormand_prince,
 };
 pub use invariants::{InvariantError, InvariantExpectation, InvariantIndex};
 pub use jacobians::{AccelerationJacobian, FlexibleBodyJacobians, ResidualJacobian};

@@ -1,14 +1,14 @@
 //! Implicit methods on free bodies: momentum and energy to round-off, orders, stiff modes.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
-use ffrf_runtime::nalgebra::{Vector2, Vector3};
+use ffrf_runtime::nalgebra::{Vector1, Vector2, Vector3};
 use ffrf_runtime::{
-    EnergyMomentum, FreeBody, FreeSystem, GeneralisedAlpha, Gravity, State, StepError, Tolerances,
-    step_linearly_implicit_euler, step_rk4,
+    EnergyMomentum, FlexibleBody, FreeBody, FreeSystem, GeneralisedAlpha, Gravity, ModalMatrix, Prepared,
+    State, StepError, Tolerances, step_exponential, step_linearly_implicit_euler, step_rk4,
 };
 use ffrf_test_kit::bodies::cloud;
 use ffrf_test_kit::convergence::measured_order;
-use ffrf_test_kit::naive_body::NaiveBody;
+use ffrf_test_kit::naive_body::{Invariants, NaiveBody};
 use ffrf_test_kit::tolerances::SLOPE;
 
 type Body = FreeBody<NaiveBody<2, 8>>;
@@ -133,4 +133,100 @@ fn a_step_that_cannot_be_solved_is_refused_with_what_is_left() {
         Err(StepError::NotConverged { iterations: 1, .. })
     ));
     assert_eq!(memory, before);
+}
+
+/// A body whose one mode has a diagonal mass, as one number is.
+#[derive(Clone, Copy)]
+struct Ball(NaiveBody<1, 7>);
+
+impl FlexibleBody for Ball {
+    type Modal = Vector1<f64>;
+
+    fn undeformed(&self) -> Self::Modal {
+        self.0.undeformed()
+    }
+
+    fn modal_mass(&self) -> ModalMatrix<Self::Modal, f64> {
+        ModalMatrix::Diagonal(self.0.modal_mass().dense().diagonal())
+    }
+
+    fn stiffness(&self) -> ModalMatrix<Self::Modal, f64> {
+        ModalMatrix::Diagonal(self.0.stiffness().dense().diagonal())
+    }
+
+    fn damping(&self) -> ModalMatrix<Self::Modal, f64> {
+        ModalMatrix::Diagonal(self.0.damping().dense().diagonal())
+    }
+
+    fn prepare(&self, q: &Self::Modal, omega: &Vector3<f64>, q_dot: &Self::Modal) -> Prepared<Self::Modal> {
+        self.0.prepare(q, omega, q_dot)
+    }
+}
+
+/// A ball that breathes, with a little damping; its mode has no momentum of its own: what the exponential step is for.
+fn ball(stiffness: f64) -> Ball {
+    let tensor = [[0.4, 0.0, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.5]];
+    Ball(NaiveBody::new(&Invariants {
+        mass: 2.0,
+        centre_of_mass: [0.0; 3],
+        modal_centre_of_mass: [[0.0; 3]],
+        euler_tensor: tensor,
+        modal_euler_tensor: [tensor],
+        modal_pair_euler_tensor: [[tensor]],
+        stiffness: [[stiffness]],
+        damping: [[1e-3]],
+    }))
+}
+
+#[test]
+fn the_exponential_step_is_exact_in_free_vibration_and_has_order_two() {
+    // at rest but for the mode, small: all that is left is one oscillator, at 500 radians per step
+    let kernels = ball(1.2e9);
+    let mut body = FreeBody::new(kernels).with_deformation(Vector1::new(1e-9), Vector1::zeros());
+    let system = FreeSystem { body: &kernels, load: &() };
+    for _ in 0..10 {
+        body.state = step_exponential(&system, &body.state, 0.0, 0.01).unwrap().0;
+    }
+    let omega = (1.2e9_f64 / 1.2).sqrt();
+    let decay = 0.5 * 1e-3 / 1.2;
+    let (sine, cosine) = (omega * 0.1).sin_cos();
+    let expected = 1e-9 * (-decay * 0.1_f64).exp() * (cosine + decay / omega * sine);
+    // of 3000 radians round-off leaves 1e-12
+    assert!(
+        (body.state.modal_coordinates.x - expected).abs() < 1e-11 * 1e-9,
+        "{}",
+        body.state.modal_coordinates.x
+    );
+
+    let start = FreeBody::new(ball(120.0))
+        .with_spin(Vector3::new(1.0, 2.0, -0.5))
+        .with_deformation(Vector1::new(0.05), Vector1::new(0.1));
+    let gravity = Gravity { acceleration: Vector3::new(0.3, 0.0, -9.81) };
+    let system = FreeSystem { body: &start.body, load: &gravity };
+    let run = |steps: usize, exponential: bool| {
+        let h = 1.0 / steps as f64;
+        (0..steps).fold(start.state, |state, k| {
+            let time = k as f64 * h;
+            if exponential {
+                step_exponential(&system, &state, time, h).unwrap().0
+            } else {
+                step_rk4(&system, &state, time, h).unwrap().0
+            }
+        })
+    };
+    let exact = run(2000, false);
+    let order = measured_order(50, 3, |steps| {
+        let state = run(steps, true);
+        (state.angular_velocity - exact.angular_velocity).norm()
+            + (state.modal_coordinates - exact.modal_coordinates).norm()
+    });
+    assert!((order - 2.0).abs() < SLOPE, "{order}");
+}
+
+#[test]
+fn the_exponential_step_refuses_what_does_not_separate() {
+    let start = body(200.0, 0.0);
+    let system = FreeSystem { body: &start.body, load: &() };
+    let refused = step_exponential(&system, &start.state, 0.0, 1e-3);
+    assert_eq!(refused.map(|_| ()), Err(StepError::ModesNotSeparate));
 }

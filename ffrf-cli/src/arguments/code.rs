@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args};
 use ffrf_codegen::layout::Layout;
-use ffrf_codegen::{DEFAULT_LAYOUT_TOLERANCE, Fidelity, FusedMultiplyAdd, ScalarType, Strategy};
+use ffrf_codegen::{DEFAULT_LAYOUT_TOLERANCE, Fidelity, FusedMultiplyAdd, Language, ScalarType, Strategy};
 use ffrf_model::ModeSelection;
 
 /// `ffrf inspect`
@@ -47,6 +47,9 @@ pub struct Generate {
         conflicts_with_all = ["model", "layout_tolerance"]
     )]
     pub layout: Option<Layout>,
+    /// Rust, or portable C99: a source and, beside it, a header called after the name of the type.
+    #[arg(long, default_value = "rust", value_parser = named(Language::ALL.map(Language::name), Language::from_name))]
+    pub language: Language,
     /// Scalar type of all kernels.
     #[arg(long, default_value = "f64", value_parser = named(ScalarType::ALL.map(ScalarType::name), ScalarType::from_name))]
     pub scalar: ScalarType,
@@ -66,7 +69,7 @@ pub struct Generate {
     #[arg(long, value_name = "X", default_value_t = DEFAULT_LAYOUT_TOLERANCE, value_parser = parse_tolerance)]
     pub layout_tolerance: f64,
     /// Where to write the code (default: standard output).
-    #[arg(short, long, value_name = "OUT.rs")]
+    #[arg(short, long, value_name = "OUT.rs|OUT.c")]
     pub output: Option<PathBuf>,
 }
 
@@ -110,6 +113,7 @@ mod tests {
         assert_eq!((found.fidelity, found.jacobians), (default.fidelity, default.jacobians));
         assert_eq!((found.strategy, found.fma), (default.strategy, default.fused_multiply_add));
         assert_eq!(found.layout_tolerance, default.layout_tolerance);
+        assert_eq!(found.language, Language::default());
     }
 
     #[test]
@@ -118,6 +122,7 @@ mod tests {
             ("b --scalar f16", "[possible values: f64, f32, generic]"),
             ("b --strategy fast", "[possible values: auto, straight_line, lanes]"),
             ("b --fma maybe", "[possible values: auto, on, off]"),
+            ("b --language fortran", "[possible values: rust, c]"),
             ("b --fidelity quadratic", "rigid, constant, linear, full, or a list of terms (translation, "),
             ("b --fidelity first_moment,spin", "unknown energy term `spin`: expected translation, "),
             ("b --layout-tolerance 2", "from 0 to below 1"),

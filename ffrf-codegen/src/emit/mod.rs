@@ -8,11 +8,17 @@
 //! that text, comments left out.
 
 mod banner;
+mod c;
 mod documentation;
+mod expression;
 mod listing;
+mod literal;
+mod markers;
 mod rust;
 mod units;
+mod writer;
 
+pub(crate) use self::c::Files as CFiles;
 use ffrf_model::ReducedBody;
 
 use crate::GenerateOptions;
@@ -36,4 +42,9 @@ pub(crate) struct Subject<'a> {
 /// The whole text of a body in Rust.
 pub(crate) fn rust(subject: &Subject<'_>, kernels: &[ValidKernel]) -> String {
     rust::body(subject, kernels)
+}
+
+/// Header and source of a body in C.
+pub(crate) fn c(subject: &Subject<'_>, kernels: &[ValidKernel]) -> CFiles {
+    c::files(subject, kernels)
 }

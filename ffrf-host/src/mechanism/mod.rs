@@ -4,7 +4,9 @@ mod drive;
 mod element;
 mod formula;
 mod host_mechanism;
+mod joint_coordinates;
 mod plan;
+mod scheduled_actuator;
 mod states;
 mod table;
 
@@ -12,5 +14,7 @@ pub use drive::Drive;
 pub use element::{Element, ElementKind};
 pub use formula::{Formula, FormulaError};
 pub use host_mechanism::{HostMechanism, HostPorts};
+pub use joint_coordinates::{JointCoordinates, TreeError};
+pub use scheduled_actuator::ScheduledActuator;
 pub use states::HostIncrement;
 pub use table::{Table, TableError};

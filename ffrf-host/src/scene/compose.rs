@@ -3,15 +3,17 @@
 use std::path::Path;
 
 use ffrf_runtime::State;
-use ffrf_runtime::mechanism::Constrained;
+use ffrf_runtime::mechanism::{Assembly, Constrained};
 use nalgebra::Vector3;
 
+use super::efforts::{Composed, Joints};
 use super::file::SceneFile;
 use super::names::NamedBody;
 use super::sensors::{Sensor, sensor};
+use super::settings::{Coordinates, Integrator};
 use super::{SceneError, Settings, bodies, forces, joints};
 use crate::HostModal;
-use crate::mechanism::{Drive, Element, HostMechanism};
+use crate::mechanism::{Drive, HostMechanism, JointCoordinates, TreeError};
 
 /// A scene that can be simulated.
 pub struct Scene {
@@ -23,6 +25,12 @@ pub struct Scene {
     pub body_names: Vec<String>,
     /// Names of the connections: those of joints, and of their drives.
     pub connection_names: Vec<String>,
+    /// Names of the force elements.
+    pub element_names: Vec<String>,
+    /// Names of the actuators.
+    pub actuator_names: Vec<String>,
+    /// For each body the file of its surface, if the scene names one: for pictures only.
+    pub surfaces: Vec<Option<String>>,
     /// What is measured.
     pub sensors: Vec<Sensor>,
     /// How it is simulated.
@@ -64,26 +72,89 @@ impl Scene {
             }
             joint_connections.push((name.clone(), own));
         }
-        let elements: Result<Vec<Element>, SceneError> = file
-            .forces
-            .iter()
-            .map(|(name, table)| {
-                check_name("forces", name)?;
-                forces::element(name, table, &mut named, &states)
-            })
-            .collect();
-        let elements = elements?;
+        let (mut elements, mut actuators) = (Vec::new(), Vec::new());
+        let (mut element_names, mut actuator_names) = (Vec::new(), Vec::new());
+        for (name, table) in &file.forces {
+            check_name("forces", name)?;
+            let joints = Joints { names: &joint_connections, connections: &connections };
+            match forces::element(name, table, &mut named, &states, &joints, folder)? {
+                Composed::Element(element) => {
+                    elements.push(element);
+                    element_names.push(name.clone());
+                }
+                Composed::Actuator(actuator) => {
+                    actuators.push(actuator);
+                    actuator_names.push(name.clone());
+                }
+            }
+        }
         let mut sensors = Vec::with_capacity(file.sensors.len());
         for (name, table) in &file.sensors {
             check_name("sensors", name)?;
             sensors.push(sensor(name, table, &mut named, &joint_connections)?);
         }
+        let surfaces = file.bodies.iter().map(|(_, table)| table.surface.clone()).collect();
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
+            .with_actuators(actuators)
             .with_treatment(settings.treatment);
-        Ok(Self { mechanism, initial: states, body_names, connection_names, sensors, settings })
+        let scene = Self {
+            mechanism,
+            initial: states,
+            body_names,
+            connection_names,
+            element_names,
+            actuator_names,
+            surfaces,
+            sensors,
+            settings,
+        };
+        scene.joint_coordinates()?;
+        scene.check_modes()?;
+        Ok(scene)
+    }
+
+    /// The coordinates of the joints, if they are what is integrated. Errors: the mechanism has none.
+    pub fn joint_coordinates(&self) -> Result<Option<JointCoordinates<'_>>, SceneError> {
+        if self.settings.coordinates == Coordinates::Absolute {
+            return Ok(None);
+        }
+        let name = |joint: usize| self.connection_names.get(joint).map_or("", String::as_str);
+        JointCoordinates::new(&self.mechanism).map(Some).map_err(|error| {
+            let (expected, found) = match error {
+                TreeError::Loop { joint } => {
+                    ("a tree of bodies", format!("joint `{}`, which closes a loop", name(joint)))
+                }
+                TreeError::Unsupported { joint } => (
+                    "fixed, revolute, prismatic, cylindrical, spherical and planar joints without drives",
+                    format!("joint `{}`", name(joint)),
+                ),
+            };
+            let expected = format!("{expected} with `constraints = \"minimal\"`");
+            SceneError::value("simulation.constraints", expected, found)
+        })
+    }
+
+    /// Whether the exponential step can be done. Errors: a joint holds what modes move, or a modal matrix is dense.
+    fn check_modes(&self) -> Result<(), SceneError> {
+        if self.settings.integrator != Integrator::Exponential {
+            return Ok(());
+        }
+        let refused = |found: String| {
+            let expected = "joints at points that modes do not move, and diagonal modal matrices, with \
+                            `integrator = \"exponential\"`";
+            Err(SceneError::value("simulation.integrator", expected, found))
+        };
+        if let Some(joint) = self.mechanism.joint_on_modes() {
+            let name = self.connection_names.get(joint).map_or("", String::as_str);
+            return refused(format!("joint `{name}`, which holds what modes move"));
+        }
+        if self.mechanism.vibration_rates(&self.initial).is_none() {
+            return refused("a dense modal mass, stiffness or damping".to_owned());
+        }
+        Ok(())
     }
 
     /// The initial state with the joints met, and how far the file's state was from them (position, velocity).

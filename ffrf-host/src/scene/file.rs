@@ -40,6 +40,8 @@ pub struct SimulationTable {
 pub struct BodyTable {
     /// Model file, relative to the scene file.
     pub model: Option<String>,
+    /// Surface file for animations, relative to the scene file; no number of a simulation depends on it.
+    pub surface: Option<String>,
     /// Number of modes that are used; all if nothing is said.
     pub modes: Option<usize>,
     /// Which terms of the kinetic energy are kept: a level, or a list of terms.
@@ -132,8 +134,10 @@ pub enum FunctionValue {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ForceTable {
-    /// `spring`, `torsion_spring`, `bushing`, `force`, `moment`.
+    /// `spring`, `torsion_spring`, `bushing`, `friction`, `actuator`, `force`, `moment`.
     pub kind: String,
+    /// The joint in which friction or an actuator acts, in place of `first`, `second` and `axis`.
+    pub joint: Option<String>,
     /// `ground`, BODY or BODY.MARKER; where the force element begins.
     pub first: Option<String>,
     /// Position in the frame of `first`. Units: m.
@@ -142,11 +146,21 @@ pub struct ForceTable {
     pub second: Option<String>,
     /// Position in the frame of `second`. Units: m.
     pub second_position: Option<Vector>,
-    /// Axis of a torsion spring, in the frame of `first`.
+    /// Axis of a torsion spring, of friction and actuators, in the frame of `first`.
     pub axis: Option<Vector>,
+    /// Where friction or an actuator acts: `about` or `along` the axis, or on the `line` between both ends.
+    pub acts: Option<String>,
+    /// The largest force or moment of friction or an actuator. Units: N or N m.
+    pub limit: Option<f64>,
+    /// Speed at which friction has 71 % of its limit. Units: m/s or rad/s.
+    pub speed: Option<f64>,
+    /// Input of an actuator over time.
+    pub input: Option<FunctionValue>,
+    /// Force or moment of an actuator per unit of its input. Units: N or N m.
+    pub gain: Option<f64>,
     /// Stiffness. Units: N/m or N m/rad.
     pub stiffness: Option<f64>,
-    /// Damping. Units: N s/m or N m s/rad.
+    /// Damping, the viscous part of friction. Units: N s/m or N m s/rad.
     pub damping: Option<f64>,
     /// Length (m) or angle (rad) without force; the initial one if nothing is said.
     pub rest: Option<f64>,

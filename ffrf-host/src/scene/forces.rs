@@ -1,11 +1,14 @@
 //! Force elements of a scene.
 
+use std::path::Path;
+
 use ffrf_runtime::State;
 use ffrf_runtime::forces::{Bushing, ConstantWrench, Frame, Spring, TorsionSpring, relative_angle};
 use ffrf_runtime::mechanism::turn_about;
 use nalgebra::Vector3;
 
 use super::SceneError;
+use super::efforts::{Composed, Joints, effort, number};
 use super::file::{ForceTable, Vector};
 use super::joints::{direction, triad};
 use super::names::{NamedBody, attachment};
@@ -13,29 +16,29 @@ use crate::HostModal;
 use crate::mechanism::{Element, ElementKind};
 
 /// Every kind of force element by its name in scene files.
-const KINDS: [&str; 5] = ["spring", "torsion_spring", "bushing", "force", "moment"];
+const KINDS: [&str; 7] = ["spring", "torsion_spring", "bushing", "friction", "actuator", "force", "moment"];
 
-/// The force element of a table between bodies in their initial states.
+/// The force of a table between bodies in their initial states.
 pub(super) fn element(
     name: &str,
     table: &ForceTable,
     bodies: &mut [NamedBody],
     states: &[State<HostModal>],
-) -> Result<Element, SceneError> {
+    joints: &Joints<'_>,
+    folder: &Path,
+) -> Result<Composed, SceneError> {
     let key = format!("forces.{name}");
+    used(&key, table)?;
+    if matches!(table.kind.as_str(), "friction" | "actuator") {
+        return effort(&key, table, bodies, joints, folder);
+    }
     let Some(second) = &table.second else {
         return Err(SceneError::value(format!("{key}.second"), "BODY or BODY.MARKER", "nothing"));
     };
     let first = table.first.as_deref().unwrap_or("ground");
     let mut first = attachment(bodies, &format!("{key}.first"), first, table.first_position)?;
     let mut second = attachment(bodies, &format!("{key}.second"), second, table.second_position)?;
-    let number = |value: Option<f64>, what: &str, otherwise: Option<f64>| match value.or(otherwise) {
-        Some(number) if number >= 0.0 && number.is_finite() => Ok(number),
-        Some(number) => {
-            Err(SceneError::value(format!("{key}.{what}"), "a number that is not negative", number))
-        }
-        None => Err(SceneError::value(format!("{key}.{what}"), "a number", "nothing")),
-    };
+    let number = |value, what, otherwise| number(&key, value, what, otherwise);
     let kind = match table.kind.as_str() {
         "spring" => {
             let ends = [triad(bodies, states, &first), triad(bodies, states, &second)];
@@ -76,16 +79,49 @@ pub(super) fn element(
             moment: vector(&key, table.value)?,
             frame: frame(&key, table)?,
         }),
-        other => {
-            return Err(SceneError::Unknown {
-                key: format!("{key}.kind"),
-                kind: "kind of force",
-                found: other.escape_debug().to_string(),
-                known: KINDS.join(", "),
-            });
-        }
+        _ => return Err(unknown_kind(&key, table)),
     };
-    Ok(Element { kind, first, second })
+    Ok(Composed::Element(Element { kind, first, second }))
+}
+
+fn unknown_kind(key: &str, table: &ForceTable) -> SceneError {
+    SceneError::Unknown {
+        key: format!("{key}.kind"),
+        kind: "kind of force",
+        found: table.kind.escape_debug().to_string(),
+        known: KINDS.join(", "),
+    }
+}
+
+/// Refuses kinds that do not exist and keys that this kind of force does not read.
+fn used(key: &str, table: &ForceTable) -> Result<(), SceneError> {
+    let kind = table.kind.as_str();
+    if !KINDS.contains(&kind) {
+        return Err(unknown_kind(key, table));
+    }
+    let only = [
+        (table.joint.is_some(), "joint", &["friction", "actuator"][..]),
+        (table.acts.is_some(), "acts", &["friction", "actuator"]),
+        (table.limit.is_some(), "limit", &["friction", "actuator"]),
+        (table.speed.is_some(), "speed", &["friction"]),
+        (table.input.is_some(), "input", &["actuator"]),
+        (table.gain.is_some(), "gain", &["actuator"]),
+        (table.axis.is_some(), "axis", &["torsion_spring", "friction", "actuator"]),
+        (table.stiffness.is_some(), "stiffness", &["spring", "torsion_spring"]),
+        (table.damping.is_some(), "damping", &["spring", "torsion_spring", "friction"]),
+        (table.rest.is_some(), "rest", &["spring", "torsion_spring"]),
+        (table.stiffness_matrix.is_some(), "stiffness_matrix", &["bushing"]),
+        (table.damping_matrix.is_some(), "damping_matrix", &["bushing"]),
+        (table.value.is_some(), "value", &["force", "moment"]),
+        (table.frame.is_some(), "frame", &["force", "moment"]),
+    ];
+    for (given, what, kinds) in only {
+        if given && !kinds.contains(&kind) {
+            let expected = format!("nothing: {what} is for {} only", kinds.join(", "));
+            return Err(SceneError::value(format!("{key}.{what}"), expected, "a value"));
+        }
+    }
+    Ok(())
 }
 
 fn vector(key: &str, value: Option<Vector>) -> Result<Vector3<f64>, SceneError> {

@@ -178,7 +178,11 @@ fn second_axis(
 }
 
 /// A polynomial, a formula, or a table in a file beside the scene.
-fn function_of_time(key: &str, function: &FunctionValue, folder: &Path) -> Result<Drive, SceneError> {
+pub(super) fn function_of_time(
+    key: &str,
+    function: &FunctionValue,
+    folder: &Path,
+) -> Result<Drive, SceneError> {
     match function {
         FunctionValue::Polynomial(coefficients) => {
             if coefficients.is_empty() || coefficients.iter().any(|c| !c.is_finite()) {

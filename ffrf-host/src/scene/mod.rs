@@ -2,6 +2,7 @@
 
 mod bodies;
 mod compose;
+mod efforts;
 mod error;
 pub mod file;
 mod forces;
@@ -13,4 +14,4 @@ mod settings;
 pub use compose::Scene;
 pub use error::SceneError;
 pub use sensors::{Sensor, SensorKind};
-pub use settings::{Integrator, Settings, StepChoice};
+pub use settings::{Coordinates, Integrator, Settings, StepChoice};

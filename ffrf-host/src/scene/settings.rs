@@ -23,11 +23,13 @@ pub enum Integrator {
     GeneralizedAlpha,
     /// Energy-momentum, order 2.
     EnergyMomentum,
+    /// Exponential, order 2, of modes that no joint holds.
+    Exponential,
 }
 
 impl Integrator {
     /// All with their names.
-    pub const ALL: [(&'static str, Self); 7] = [
+    pub const ALL: [(&'static str, Self); 8] = [
         ("symplectic_euler", Self::SymplecticEuler),
         ("rk4", Self::Rk4),
         ("dopri5", Self::Dopri5),
@@ -35,6 +37,7 @@ impl Integrator {
         ("linearly_implicit_euler", Self::LinearlyImplicitEuler),
         ("generalized_alpha", Self::GeneralizedAlpha),
         ("energy_momentum", Self::EnergyMomentum),
+        ("exponential", Self::Exponential),
     ];
 
     /// Its name in scene files.
@@ -45,10 +48,11 @@ impl Integrator {
     /// The treatments of constraints that it goes with; the first is the default.
     pub fn treatments(self) -> &'static [&'static str] {
         match self {
-            Self::SymplecticEuler | Self::Rk4 | Self::Dopri5 => &["projection", "baumgarte"],
+            Self::SymplecticEuler | Self::Rk4 | Self::Dopri5 => &["projection", "baumgarte", "minimal"],
             Self::LinearlyImplicit | Self::LinearlyImplicitEuler => &["projection", "baumgarte"],
             Self::GeneralizedAlpha => &["ggl", "index3", "projection", "baumgarte"],
             Self::EnergyMomentum => &["index3"],
+            Self::Exponential => &["projection"],
         }
     }
 }
@@ -62,6 +66,15 @@ pub enum StepChoice {
     Tolerance(f64),
 }
 
+/// What the state of a mechanism is while it is integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Coordinates {
+    /// The motion of every body in space.
+    Absolute,
+    /// What the joints of a tree leave free.
+    Joint,
+}
+
 /// How a scene is simulated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
@@ -73,6 +86,8 @@ pub struct Settings {
     pub integrator: Integrator,
     /// ρ∞ of the generalised-α method.
     pub spectral_radius: f64,
+    /// Coordinates that are integrated.
+    pub coordinates: Coordinates,
     /// Treatment of the constraints.
     pub treatment: Treatment<f64>,
     /// Time between samples. Units: s.
@@ -80,7 +95,7 @@ pub struct Settings {
 }
 
 /// Every treatment of constraints by its name in scene files.
-const TREATMENTS: [&str; 4] = ["projection", "baumgarte", "ggl", "index3"];
+const TREATMENTS: [&str; 5] = ["projection", "baumgarte", "ggl", "index3", "minimal"];
 
 /// Corrections of each level per step, and the residual (m or rad) that a step may be left with.
 pub(super) const PROJECTION: Treatment<f64> = Treatment::Projection { iterations: 8, tolerance: 1e-6 };
@@ -134,7 +149,7 @@ impl Settings {
             StepChoice::Fixed(step) => step,
             StepChoice::Tolerance(_) => output_step,
         };
-        let treatment = treatment(table, integrator, scale)?;
+        let (treatment, coordinates) = treatment(table, integrator, scale)?;
         if table.gravity.iter().any(|g| !g.is_finite()) {
             return Err(SceneError::value(
                 "simulation.gravity",
@@ -142,7 +157,7 @@ impl Settings {
                 format!("{:?}", table.gravity),
             ));
         }
-        Ok(Self { duration, step, integrator, spectral_radius, treatment, output_step })
+        Ok(Self { duration, step, integrator, spectral_radius, coordinates, treatment, output_step })
     }
 }
 
@@ -166,12 +181,13 @@ fn treatment(
     table: &SimulationTable,
     integrator: Integrator,
     scale: f64,
-) -> Result<Treatment<f64>, SceneError> {
+) -> Result<(Treatment<f64>, Coordinates), SceneError> {
     let key = "simulation.constraints";
     let fitting = integrator.treatments();
     let name = table.constraints.as_deref().or(fitting.first().copied()).unwrap_or("");
     let treatment = match name {
-        "projection" => PROJECTION,
+        // nothing is left to project of joint coordinates
+        "projection" | "minimal" => PROJECTION,
         // critically damped, within some ten steps
         "baumgarte" => Treatment::Baumgarte { alpha: 0.1 / scale, beta: 0.1 / scale },
         "ggl" => Treatment::StabilisedIndex2,
@@ -186,7 +202,8 @@ fn treatment(
         }
     };
     if fitting.contains(&name) {
-        return Ok(treatment);
+        let coordinates = if name == "minimal" { Coordinates::Joint } else { Coordinates::Absolute };
+        return Ok((treatment, coordinates));
     }
     Err(SceneError::value(
         key,

@@ -2,12 +2,12 @@
 
 use ffrf_runtime::mechanism::Constrained;
 use ffrf_runtime::{
-    AlphaMemory, Drift, EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, Tolerances,
-    step_dormand_prince, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
+    AlphaMemory, Drift, EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, System, Tolerances,
+    step_dormand_prince, step_exponential, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
     step_symplectic_euler, try_dormand_prince,
 };
 
-use crate::mechanism::HostIncrement;
+use crate::mechanism::{HostIncrement, JointCoordinates};
 use crate::scene::{Integrator, Settings, StepChoice};
 use crate::{HostMechanism, HostModal};
 
@@ -28,6 +28,15 @@ pub struct Advance {
     pub memory: Option<AlphaMemory<HostIncrement>>,
 }
 
+/// The states of all bodies.
+type States = Vec<State<HostModal>>;
+
+/// From one sample to the next. Units: s.
+struct Interval {
+    start: f64,
+    end: f64,
+}
+
 /// Smallest step of an error-controlled integrator, relative to the interval between samples.
 const SMALLEST_SHARE: f64 = 1e-12;
 
@@ -46,24 +55,49 @@ impl Advance {
 
     /// The state at `end`, from `state` at `start`. Fixed steps are equal, and at most as long as wanted.
     ///
-    /// Errors: see [`StepError`], with the time of the step.
+    /// `tree`: the joint coordinates of the mechanism, if they are what is integrated; explicit integrators only, others
+    /// stay in absolute coordinates. Errors: see [`StepError`], with the time of the step.
     pub fn to(
         &mut self,
         mechanism: &HostMechanism,
+        tree: Option<&JointCoordinates<'_>>,
         settings: &Settings,
-        mut state: Vec<State<HostModal>>,
+        state: States,
         start: f64,
         end: f64,
-    ) -> Result<Vec<State<HostModal>>, (f64, StepError)> {
-        let system = Constrained(mechanism);
-        match settings.step {
+    ) -> Result<States, (f64, StepError)> {
+        let interval = Interval { start, end };
+        let step = |advance: &mut Self, state: &States, time: f64, step: f64| {
+            advance.fixed(mechanism, settings, state, time, step)
+        };
+        match (tree, settings.integrator) {
+            (Some(tree), Integrator::SymplecticEuler | Integrator::Rk4 | Integrator::Dopri5) => {
+                let state = tree.relative(&state);
+                let step = |_: &mut Self, state: &States, time: f64, step: f64| {
+                    explicit(settings.integrator, tree, state, time, step)
+                };
+                self.through(tree, settings.step, state, interval, step).map(|state| tree.absolute(&state))
+            }
+            _ => self.through(&Constrained(mechanism), settings.step, state, interval, step),
+        }
+    }
+
+    /// Steps through an interval: `fixed` takes one of a given size.
+    fn through<S: System<f64>>(
+        &mut self,
+        system: &S,
+        choice: StepChoice,
+        mut state: S::State,
+        Interval { start, end }: Interval,
+        fixed: impl Fn(&mut Self, &S::State, f64, f64) -> Result<(S::State, StepReport), StepError>,
+    ) -> Result<S::State, (f64, StepError)> {
+        match choice {
             StepChoice::Fixed(longest) => {
                 let count = ((end - start) / longest - STRETCH).ceil().max(1.0);
                 let step = (end - start) / count;
                 for k in 0..count as u64 {
                     let time = start + k as f64 * step;
-                    let (next, report) =
-                        self.fixed(&system, settings, &state, time, step).map_err(|error| (time, error))?;
+                    let (next, report) = fixed(self, &state, time, step).map_err(|error| (time, error))?;
                     state = next;
                     self.accept(&report);
                 }
@@ -76,7 +110,7 @@ impl Advance {
                     let last = self.next_step >= rest * (1.0 - STRETCH);
                     // a step that leaves only a little is halved
                     let step = if last { rest } else { self.next_step.min(0.5 * rest) };
-                    let tried = try_dormand_prince(&system, &state, time, step, &tolerances)
+                    let tried = try_dormand_prince(system, &state, time, step, &tolerances)
                         .map_err(|error| (time, error))?;
                     match tried.accepted {
                         Some((next, report)) => {
@@ -101,19 +135,20 @@ impl Advance {
         Ok(state)
     }
 
-    /// One step of a fixed size.
+    /// One step of a fixed size in absolute coordinates.
     fn fixed(
         &mut self,
-        system: &Constrained<'_, HostMechanism>,
+        mechanism: &HostMechanism,
         settings: &Settings,
-        state: &Vec<State<HostModal>>,
+        state: &States,
         time: f64,
         step: f64,
-    ) -> Result<(Vec<State<HostModal>>, StepReport), StepError> {
+    ) -> Result<(States, StepReport), StepError> {
+        let system = &Constrained(mechanism);
         match settings.integrator {
-            Integrator::SymplecticEuler => step_symplectic_euler(system, state, time, step),
-            Integrator::Rk4 => step_rk4(system, state, time, step),
-            Integrator::Dopri5 => step_dormand_prince(system, state, time, step),
+            Integrator::SymplecticEuler | Integrator::Rk4 | Integrator::Dopri5 => {
+                explicit(settings.integrator, system, state, time, step)
+            }
             Integrator::LinearlyImplicit => step_linearly_implicit(system, state, time, step),
             Integrator::LinearlyImplicitEuler => step_linearly_implicit_euler(system, state, time, step),
             Integrator::GeneralizedAlpha => {
@@ -126,6 +161,7 @@ impl Advance {
                 method.step(system, memory, state, time, step)
             }
             Integrator::EnergyMomentum => EnergyMomentum::new().step(system, state, time, step),
+            Integrator::Exponential => step_exponential(system, state, time, step),
         }
     }
 
@@ -134,6 +170,21 @@ impl Advance {
         self.drift.position = self.drift.position.max(report.drift.position);
         self.drift.velocity = self.drift.velocity.max(report.drift.velocity);
         self.iterations = self.iterations.max(report.iterations);
+    }
+}
+
+/// One step of an explicit integrator; the classical Runge-Kutta method for all that are not named here.
+fn explicit<S: System<f64>>(
+    integrator: Integrator,
+    system: &S,
+    state: &S::State,
+    time: f64,
+    step: f64,
+) -> Result<(S::State, StepReport), StepError> {
+    match integrator {
+        Integrator::SymplecticEuler => step_symplectic_euler(system, state, time, step),
+        Integrator::Dopri5 => step_dormand_prince(system, state, time, step),
+        _ => step_rk4(system, state, time, step),
     }
 }
 

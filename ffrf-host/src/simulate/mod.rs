@@ -10,6 +10,7 @@ mod spin;
 pub use advance::Advance;
 pub use check::{SceneCheck, check};
 pub use run::{Progress, SimulationError, Summary, simulate};
+pub(crate) use sample::read as read_sensor;
 pub use sample::{Sample, header};
 pub use saved_state::{BodyState, SavedState, StateError};
 pub use spin::SpinWarning;

@@ -66,6 +66,7 @@ pub fn simulate(
     mut progress: impl FnMut(Progress),
 ) -> Result<Summary, SimulationError> {
     let settings = &scene.settings;
+    let tree = scene.joint_coordinates()?;
     let mut advance = Advance::new(settings);
     let mut angles = vec![None; scene.sensors.len()];
     let (mut time, (mut state, initial_residuals)) = match from {
@@ -95,7 +96,7 @@ pub fn simulate(
             continue;
         }
         state = advance
-            .to(&scene.mechanism, settings, state, time, end)
+            .to(&scene.mechanism, tree.as_ref(), settings, state, time, end)
             .map_err(|(time, error)| refused(time, error))?;
         time = end;
         index += 1.0;

@@ -70,7 +70,12 @@ fn rod() -> ReducedBody {
         schema_version: SCHEMA_VERSION,
         title: "connecting rod of Simeon's slider-crank".to_owned(),
         units: "SI".to_owned(),
-        provenance: Provenance { tool: "test".to_owned(), tool_version: "0".to_owned(), sources: Vec::new() },
+        provenance: Provenance {
+            tool: "test".to_owned(),
+            tool_version: "0".to_owned(),
+            sources: Vec::new(),
+            notes: Vec::new(),
+        },
         modes: vec![Mode { kind: ModeKind::User, frequency_hz: None }; 4],
         inertia: Inertia {
             mass: ROD_MASS,

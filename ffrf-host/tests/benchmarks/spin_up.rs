@@ -84,6 +84,7 @@ fn beam() -> ReducedBody {
             tool: "ffrf".to_owned(),
             tool_version: "0.1.0".to_owned(),
             sources: Vec::new(),
+            notes: Vec::new(),
         },
         modes: (0..4)
             .map(|mu| Mode {

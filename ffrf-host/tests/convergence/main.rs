@@ -6,6 +6,7 @@ mod problem;
 
 use std::sync::OnceLock;
 
+use ffrf_host::mechanism::JointCoordinates;
 use ffrf_host::{HostMechanism, HostModal};
 use ffrf_runtime::mechanism::{Constrained, Treatment};
 use ffrf_runtime::{
@@ -168,5 +169,25 @@ fn the_energy_momentum_method_has_order_two() {
         let system = Constrained(mechanism);
         let method = EnergyMomentum::new();
         run(mechanism, state, steps, &mut |state, time, h| method.step(&system, state, time, h))
+    });
+}
+
+#[test]
+fn joint_coordinates_keep_the_order_and_do_not_drift() {
+    assert_orders("RK4, joint coordinates", PROJECTION, [50, 2], [4.0; 3], |mechanism, state, steps| {
+        let tree = JointCoordinates::new(mechanism).unwrap();
+        let h = DURATION / steps as f64;
+        let mut relative = tree.relative(&state);
+        // there and back is the same state
+        let back = blocks(mechanism, &tree.absolute(&relative), 0.0);
+        let there = differences(&back, &blocks(mechanism, &state, 0.0));
+        assert!(there.iter().all(|difference| *difference < 1e-12), "{there:?}");
+        for k in 0..steps {
+            relative = step_rk4(&tree, &relative, k as f64 * h, h).unwrap().0;
+        }
+        let state = tree.absolute(&relative);
+        let (_, drift) = Constrained(mechanism).project(DURATION, state.clone(), None, 0, f64::MAX).unwrap();
+        assert!(drift.position < 1e-14 && drift.velocity < 1e-13, "{drift:?}");
+        blocks(mechanism, &state, DURATION)
     });
 }

@@ -4,9 +4,11 @@
 mod accelerations;
 mod bodies;
 mod dense;
+mod forces;
 mod graphs;
 mod power;
 mod reactions;
+mod redundancy_report;
 mod redundant;
 mod tolerances;
 mod witness;

@@ -2,10 +2,10 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, Span, State};
-use crate::forces::Load;
+use super::{FlexibleBody, GeneralisedForce, Increment, Load, ModalVector, Oscillators, Span, State};
 use crate::integrators::{
-    ConservingSystem, ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace,
+    ConservingSystem, ExponentialSystem, Forcing, ImplicitSystem, LocalError, StepError, StiffSystem, System,
+    Tolerances, VectorSpace,
 };
 
 /// A body without joints and what pushes it.
@@ -147,5 +147,30 @@ where
             span.stage(self.body, &span.dual_to_mean(force)).ok_or(StepError::MassNotPositive)?;
         let factors = stage.eliminated.factor().ok_or(StepError::MassNotPositive)?;
         Ok(span.with_correction(&factors.solve(&missing)))
+    }
+}
+
+impl<B, L, T> ExponentialSystem<T> for FreeSystem<'_, B, L>
+where
+    B: FlexibleBody<T>,
+    L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+    T: RealField + Copy,
+{
+    fn vibration_rates(&self, state: &Self::State) -> Result<Self::Increment, StepError> {
+        Oscillators::new(self.body).map(|modes| modes.rates(state)).ok_or(StepError::ModesNotSeparate)
+    }
+
+    fn free_vibration(&self, state: &Self::State, step: T) -> Result<Self::Increment, StepError> {
+        Oscillators::new(self.body).map(|modes| modes.free(state, step)).ok_or(StepError::ModesNotSeparate)
+    }
+
+    fn forced_vibration(
+        &self,
+        rates: &Self::Increment,
+        step: T,
+        forcing: Forcing,
+    ) -> Result<Self::Increment, StepError> {
+        let modes = Oscillators::new(self.body).ok_or(StepError::ModesNotSeparate)?;
+        Ok(modes.forced(rates, step, forcing))
     }
 }

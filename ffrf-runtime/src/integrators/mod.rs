@@ -2,6 +2,7 @@
 
 mod dormand_prince;
 mod energy_momentum;
+mod exponential;
 mod generalised_alpha;
 mod linearly_implicit;
 mod linearly_implicit_euler;
@@ -12,6 +13,7 @@ mod system;
 
 pub use dormand_prince::{ControlledStep, step_dormand_prince, try_dormand_prince};
 pub use energy_momentum::EnergyMomentum;
+pub use exponential::{ExponentialSystem, Forcing, step_exponential};
 pub use generalised_alpha::{AlphaMemory, GeneralisedAlpha};
 pub use linearly_implicit::step_linearly_implicit;
 pub use linearly_implicit_euler::step_linearly_implicit_euler;

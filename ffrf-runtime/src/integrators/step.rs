@@ -90,6 +90,8 @@ pub enum StepError {
         /// The last correction over what was tolerated: root mean square over the state. Units: 1.
         residual: f64,
     },
+    /// The exponential step does not go with this system: a joint or a dense modal matrix couples its modes.
+    ModesNotSeparate,
     /// The constraints could not be met again.
     ConstraintsNotMet {
         /// The joint with the largest residual, counted from zero.
@@ -120,6 +122,10 @@ impl fmt::Display for StepError {
             Self::NotConverged { iterations, residual } => write!(
                 formatter,
                 "the step is not solved after {iterations} iterations: the last correction is {residual:.3e} times the tolerance"
+            ),
+            Self::ModesNotSeparate => formatter.write_str(
+                "the modes do not vibrate each on its own: the exponential step needs diagonal modal mass, stiffness and damping, \
+                 and joints at points that the modes do not move",
             ),
             Self::ConstraintsNotMet { joint, residual } => write!(
                 formatter,

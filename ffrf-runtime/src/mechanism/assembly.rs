@@ -3,7 +3,7 @@
 use nalgebra::RealField;
 
 use super::{Connection, ImplicitTerms, Level, Plan, Ports, Regularisation, Storage, Target};
-use crate::integrators::{LocalError, Tolerances, VectorSpace};
+use crate::integrators::{Forcing, LocalError, Tolerances, VectorSpace};
 
 /// How constraints are kept while time advances.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,6 +115,28 @@ pub trait Assembly<T: RealField + Copy> {
     ) -> T;
     /// See [`System::largest_stable_step`].
     fn largest_stable_step(&self) -> Option<T> {
+        None
+    }
+
+    /// See [`ExponentialSystem::vibration_rates`](crate::integrators::ExponentialSystem::vibration_rates); `None` if modes do
+    /// not vibrate each on its own, as where joints hold what they move.
+    fn vibration_rates(&self, state: &Self::State) -> Option<Self::Increment> {
+        let _ = state;
+        None
+    }
+    /// See [`ExponentialSystem::free_vibration`](crate::integrators::ExponentialSystem::free_vibration).
+    fn free_vibration(&self, state: &Self::State, step: T) -> Option<Self::Increment> {
+        let _ = (state, step);
+        None
+    }
+    /// See [`ExponentialSystem::forced_vibration`](crate::integrators::ExponentialSystem::forced_vibration).
+    fn forced_vibration(
+        &self,
+        rates: &Self::Increment,
+        step: T,
+        forcing: Forcing,
+    ) -> Option<Self::Increment> {
+        let _ = (rates, step, forcing);
         None
     }
 }

@@ -4,8 +4,8 @@ use nalgebra::RealField;
 
 use super::{Assembly, Constraints, ImplicitTerms, Level, Phase, Ports, Storage, Target, Treatment};
 use crate::integrators::{
-    ConservingSystem, Correction, Drift, ImplicitSystem, LocalError, StepError, StiffSystem, System,
-    Tolerances, displaced, elastic_at_rest,
+    ConservingSystem, Correction, Drift, ExponentialSystem, Forcing, ImplicitSystem, LocalError, StepError,
+    StiffSystem, System, Tolerances, displaced, elastic_at_rest,
 };
 
 /// A mechanism as a system that integrators advance.
@@ -318,5 +318,24 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
             }
             Ok(assembly.collect(&ports, velocities))
         })
+    }
+}
+
+impl<A: Assembly<T>, T: RealField + Copy> ExponentialSystem<T> for Constrained<'_, A> {
+    fn vibration_rates(&self, state: &Self::State) -> Result<Self::Increment, StepError> {
+        self.0.vibration_rates(state).ok_or(StepError::ModesNotSeparate)
+    }
+
+    fn free_vibration(&self, state: &Self::State, step: T) -> Result<Self::Increment, StepError> {
+        self.0.free_vibration(state, step).ok_or(StepError::ModesNotSeparate)
+    }
+
+    fn forced_vibration(
+        &self,
+        rates: &Self::Increment,
+        step: T,
+        forcing: Forcing,
+    ) -> Result<Self::Increment, StepError> {
+        self.0.forced_vibration(rates, step, forcing).ok_or(StepError::ModesNotSeparate)
     }
 }

@@ -74,6 +74,7 @@ impl<'a> Elimination<'a> {
             let _ = by_size!(node.solve_backwards(values, unknowns));
         }
     }
+
     /// Subtracts the product of a matrix that is not factored with `unknowns` from `right`.
     pub fn subtract_product<T: RealField + Copy>(&self, matrix: &[T], unknowns: &[T], right: &mut [T]) {
         for node in self.nodes() {

@@ -137,7 +137,8 @@ impl Node<'_> {
         *unknowns.get_mut(self.step.unknowns..)?.first_chunk_mut::<N>()? = own;
         Some(())
     }
-    /// Subtracts the product of this node's rows and columns, not factored, with `unknowns` from `right`.
+
+    /// Subtracts A x from `right`, this node's columns of a matrix that is not factored and the rows across from them.
     pub(super) fn subtract_product<const N: usize, T: RealField + Copy>(
         &self,
         matrix: &[T],

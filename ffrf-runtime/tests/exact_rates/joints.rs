@@ -13,10 +13,10 @@ use num_dual::{Dual2, Dual2_64};
 
 /// One end of a joint at one time: as joints see it, with the accelerations (without bias) that go with it, and as a
 /// function of time.
-struct End {
-    motion: MarkerMotion,
+pub struct End {
+    pub motion: MarkerMotion,
     acceleration: [Vector3<f64>; 2],
-    path: MarkerMotion<Dual2_64>,
+    pub path: MarkerMotion<Dual2_64>,
 }
 
 /// A triad that is turned against its marker, as an attachment has it.
@@ -55,7 +55,7 @@ fn ground(seed: usize) -> End {
 }
 
 /// The ground, or a body with `modes` modes.
-fn end(modes: Option<usize>, seed: usize, time: f64) -> End {
+pub fn end(modes: Option<usize>, seed: usize, time: f64) -> End {
     match modes {
         None => ground(seed),
         Some(0) => moving::<0, 6>(seed, time),
@@ -68,7 +68,7 @@ fn end(modes: Option<usize>, seed: usize, time: f64) -> End {
 }
 
 /// Ground on either side, then bodies with every number of modes on both sides.
-fn pairs() -> Vec<[Option<usize>; 2]> {
+pub fn pairs() -> Vec<[Option<usize>; 2]> {
     let mut pairs = Vec::new();
     for modes in 0..=5 {
         pairs.extend([[None, Some(modes)], [Some(modes), None], [Some(modes), Some(5 - modes)]]);

@@ -1,8 +1,8 @@
 //! The method `check` of a body whose invariants come at run time: which checks its layout asks for.
 
 use super::parameters::fields;
-use super::writer::Writer;
 use crate::GenerateOptions;
+use crate::emit::writer::Writer;
 use crate::invariants::{Invariant, Structure};
 use crate::layout::Layout;
 

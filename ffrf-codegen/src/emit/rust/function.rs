@@ -1,11 +1,11 @@
 //! A listing as a Rust function on arrays.
 
 use super::Style;
-use super::expression::expression;
-use super::writer::{FunctionHead, Writer, bracketed};
 use crate::ScalarType;
 use crate::emit::documentation;
+use crate::emit::expression::expression;
 use crate::emit::listing::{Listing, Needs};
+use crate::emit::writer::{FunctionHead, Writer, bracketed};
 use crate::expression::Input;
 use crate::formulate::{Shape, Signature};
 
@@ -45,7 +45,7 @@ pub(super) fn function(writer: &mut Writer, listing: &Listing, style: Style<'_>)
                 writer.line(format!("// {} ({})", section.heading, section.counts));
             }
             for statement in &section.statements {
-                writer.line(format!("let {} = {};", statement.name, expression(&statement.value, style)));
+                writer.line(format!("let {} = {};", statement.name, expression(&statement.value, &style)));
             }
         }
         writer.blank();
@@ -91,7 +91,7 @@ fn pattern(input: Input, modes: usize, needs: &Needs) -> String {
 }
 
 fn results(writer: &mut Writer, listing: &Listing, style: Style<'_>) {
-    let entries: Vec<String> = listing.results.iter().map(|tree| expression(tree, style)).collect();
+    let entries: Vec<String> = listing.results.iter().map(|tree| expression(tree, &style)).collect();
     let modes = listing.mode_count;
     let write = |writer: &mut Writer, shape: Shape, entries: &[String], end: &str| match shape {
         Shape::Scalar => writer.line(format!("{}{end}", entries.concat())),

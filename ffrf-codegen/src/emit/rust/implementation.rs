@@ -3,10 +3,10 @@
 use super::lanes;
 use super::markers;
 use super::method::{Types, method};
-use super::writer::Writer;
 use crate::ScalarType;
 use crate::emit::Subject;
 use crate::emit::listing::Listing;
+use crate::emit::writer::Writer;
 use crate::formulate::{Interface, JACOBIANS, KERNELS, Signature};
 
 /// One implementation for each trait; for every scalar if the body is generic.

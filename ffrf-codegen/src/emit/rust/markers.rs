@@ -1,13 +1,12 @@
 //! Inherent constants of a body: its own numbers and its markers.
 
-use std::collections::BTreeSet;
-
 use ffrf_model::{Marker, ReducedBody};
 
-use super::literal::literal;
 use super::structure::{RESERVED, constants, visibility};
-use super::writer::{Writer, bracketed};
 use crate::emit::Subject;
+use crate::emit::literal::literal;
+use crate::emit::markers::constant_names;
+use crate::emit::writer::{Writer, bracketed};
 use crate::report::Report;
 use crate::{GenerateOptions, ScalarType};
 
@@ -27,7 +26,7 @@ pub(super) fn inherent_constants(
             }
             constant.write(writer, options);
         }
-        for (marker, name) in body.markers.iter().zip(constant_names(&body.markers)) {
+        for (marker, name) in body.markers.iter().zip(constant_names(&body.markers, &RESERVED)) {
             writer.blank();
             marker_constant(writer, marker, &name, report.mode_count, options);
         }
@@ -48,36 +47,12 @@ pub(super) fn trait_methods(writer: &mut Writer, subject: &Subject<'_>, marker: 
     writer.block(&head, "}", |writer| {
         writer.block("match name {", "}", |writer| {
             let cast = if subject.options.scalar == ScalarType::Generic { ".cast()" } else { "" };
-            for (name, constant) in names.iter().zip(constant_names(markers)) {
+            for (name, constant) in names.iter().zip(constant_names(markers, &RESERVED)) {
                 writer.line(format!("{name} => ::core::option::Option::Some(Self::{constant}{cast}),"));
             }
             writer.line("_ => ::core::option::Option::None,");
         });
     });
-}
-
-/// The names of the markers in upper case, made unique.
-fn constant_names(markers: &[Marker]) -> Vec<String> {
-    let mut taken: BTreeSet<String> = RESERVED.map(str::to_owned).into();
-    markers
-        .iter()
-        .map(|marker| {
-            let base: String = marker
-                .name
-                .chars()
-                .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
-                .collect();
-            let base =
-                if base.starts_with(|c: char| c.is_ascii_alphabetic()) { base } else { format!("M_{base}") };
-            let mut name = base.clone();
-            let mut copy = 2;
-            while !taken.insert(name.clone()) {
-                name = format!("{base}_MARKER{copy}");
-                copy += 1;
-            }
-            name
-        })
-        .collect()
 }
 
 fn marker_constant(

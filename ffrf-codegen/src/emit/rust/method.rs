@@ -1,7 +1,7 @@
 //! One method of a trait: it calls the function on arrays and wraps what goes in and comes out.
 
-use super::writer::{FunctionHead, Writer};
 use crate::emit::Subject;
+use crate::emit::writer::{FunctionHead, Writer};
 use crate::expression::{Extent, Input};
 use crate::formulate::{Interface, Shape, Signature};
 

@@ -7,21 +7,19 @@
 //! ```
 
 mod check;
-mod expression;
 mod function;
 mod implementation;
 mod lanes;
-mod literal;
 mod markers;
 mod method;
+mod notation;
 mod parameters;
 mod structure;
-mod writer;
 
-use self::expression::expression;
 use self::function::function;
-use self::writer::Writer;
+use super::expression::expression;
 use super::units::UnitNames;
+use super::writer::Writer;
 use super::{Subject, banner, listing};
 use crate::layout::Layout;
 use crate::validate::ValidKernel;
@@ -76,7 +74,7 @@ fn scope(writer: &mut Writer, subject: &Subject<'_>, kernels: &[ValidKernel]) {
         None => Some(Parameters { name: &options.name, layout: &report.layout }),
     };
     let style = Style { scalar: options.scalar, parameters };
-    let width = |tree: &listing::Tree| expression(tree, style).chars().count();
+    let width = |tree: &listing::Tree| expression(tree, &style).chars().count();
     let listings: Vec<_> = kernels.iter().map(|kernel| listing::listing(kernel, width)).collect();
     writer.line(ALLOWED);
     writer.block("const _: () = {", "};", |writer| {

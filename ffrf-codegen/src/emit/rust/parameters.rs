@@ -1,8 +1,8 @@
 //! Invariants that come at run time: the fields of the struct, and how functions read them.
 
 use super::structure::{is_documentation, visibility};
-use super::writer::Writer;
 use crate::GenerateOptions;
+use crate::emit::writer::Writer;
 use crate::expression::Indices;
 use crate::invariants::Invariant;
 use crate::layout::Layout;

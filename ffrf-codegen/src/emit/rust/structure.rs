@@ -2,9 +2,9 @@
 
 use ffrf_model::ReducedBody;
 
-use super::literal::literal;
-use super::writer::{Writer, bracketed};
 use crate::emit::documentation::plain;
+use crate::emit::literal::literal;
+use crate::emit::writer::{Writer, bracketed};
 use crate::report::Report;
 use crate::{GenerateOptions, ScalarType};
 

@@ -1,7 +1,7 @@
 //! How values get into the loops and out of them.
 
 use crate::ScalarType;
-use crate::emit::rust::writer::Writer;
+use crate::emit::writer::Writer;
 use crate::formulate::{Output, Shape};
 
 /// The scalars of the loops, against those of the functions.

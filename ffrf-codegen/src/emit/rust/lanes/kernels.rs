@@ -4,7 +4,7 @@ use super::form::Form;
 use crate::ScalarType;
 use crate::emit::documentation;
 use crate::emit::rust::function::{argument, result_type};
-use crate::emit::rust::writer::{FunctionHead, Writer};
+use crate::emit::writer::{FunctionHead, Writer};
 use crate::expression::Input;
 use crate::formulate::{Definition, KERNELS, Loop};
 

@@ -6,7 +6,7 @@ mod parameters;
 mod state;
 mod tables;
 
-use super::writer::Writer;
+use crate::emit::writer::Writer;
 use crate::lanes::Lanes;
 use crate::{GenerateOptions, ScalarType};
 

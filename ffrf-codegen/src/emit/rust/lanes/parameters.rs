@@ -3,7 +3,7 @@
 use super::form::Form;
 use super::kernels::Loops;
 use crate::GenerateOptions;
-use crate::emit::rust::writer::Writer;
+use crate::emit::writer::Writer;
 use crate::formulate::kernels::INTERNAL_FORCE;
 use crate::invariants::{Invariant, Structure};
 use crate::lanes::LaneParameters;

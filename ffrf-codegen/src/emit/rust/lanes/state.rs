@@ -4,7 +4,7 @@ use super::form::Form;
 use super::kernels::Loops;
 use crate::ScalarType;
 use crate::emit::rust::function::argument;
-use crate::emit::rust::writer::{FunctionHead, Writer};
+use crate::emit::writer::{FunctionHead, Writer};
 use crate::expression::Input;
 use crate::lanes::LaneTables;
 

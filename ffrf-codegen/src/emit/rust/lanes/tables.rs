@@ -1,8 +1,8 @@
 //! Constant tables as static items.
 
 use crate::ScalarType;
-use crate::emit::rust::literal::literal;
-use crate::emit::rust::writer::Writer;
+use crate::emit::literal::literal;
+use crate::emit::writer::Writer;
 use crate::lanes::{LaneTables, ModalFactors, ModalMatrix, MomentTables, Table};
 
 const NONE: &str = "::core::option::Option::None";

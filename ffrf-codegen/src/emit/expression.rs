@@ -1,15 +1,27 @@
-//! Expression trees as Rust, with the parentheses that they need.
+//! Expression trees in infix notation, with the parentheses that they need.
 
-use super::Style;
-use super::literal::literal;
-use super::parameters::place;
-use crate::ScalarType;
-use crate::emit::listing::{Operation, Tree};
+use super::listing::{Operation, Tree};
 use crate::expression::Symbol;
+
+/// What languages write differently; operators, their order and parentheses are the same in all.
+pub(super) trait Notation {
+    /// A number.
+    fn number(&self, value: f64) -> Text;
+    /// An entry of an input or of an invariant.
+    fn symbol(&self, symbol: Symbol) -> String;
+    /// a b + c
+    fn multiply_add(&self, operands: [Text; 3]) -> Text;
+    /// √a
+    fn square_root(&self, operand: &str) -> String;
+    /// A temporary.
+    fn name(&self, name: &str) -> String {
+        name.to_owned()
+    }
+}
 
 /// How tightly the outermost operation of a text binds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Binding {
+pub(super) enum Binding {
     /// a + b, a - b
     Sum,
     /// a * b, a / b
@@ -22,7 +34,7 @@ enum Binding {
 
 /// The text of an expression.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Text {
+pub(super) struct Text {
     /// Whether it begins with a minus, which is not in `text`.
     is_negative: bool,
     text: String,
@@ -30,23 +42,36 @@ struct Text {
 }
 
 /// The text of a tree.
-pub(super) fn expression(tree: &Tree, style: Style<'_>) -> String {
-    Text::of(tree, style).whole()
+pub(super) fn expression(tree: &Tree, notation: &impl Notation) -> String {
+    Text::of(tree, notation).whole()
 }
 
 impl Text {
-    fn new(text: impl Into<String>, binding: Binding) -> Self {
+    /// Text without a sign.
+    pub(super) fn new(text: impl Into<String>, binding: Binding) -> Self {
         Self { is_negative: false, text: text.into(), binding }
     }
 
-    fn whole(&self) -> String {
+    /// A number, by the text of its absolute value.
+    pub(super) fn number(is_negative: bool, magnitude: String) -> Self {
+        let binding = if is_negative { Binding::Sign } else { Binding::Atom };
+        Self { is_negative, ..Self::new(magnitude, binding) }
+    }
+
+    /// The text with its sign.
+    pub(super) fn whole(&self) -> String {
         let sign = if self.is_negative { "-" } else { "" };
         format!("{sign}{}", self.text)
     }
 
+    /// The text with its sign, in parentheses.
+    pub(super) fn in_parentheses(&self) -> String {
+        format!("({})", self.whole())
+    }
+
     /// The text as an operand that must bind at least as tightly as `least`.
     fn operand(&self, least: Binding) -> String {
-        if self.binding >= least { self.whole() } else { format!("({})", self.whole()) }
+        if self.binding >= least { self.whole() } else { self.in_parentheses() }
     }
 
     /// The text as the first operand of a binary operation that asks for `least`: sign, rest.
@@ -58,28 +83,28 @@ impl Text {
         }
     }
 
-    fn of(tree: &Tree, style: Style<'_>) -> Self {
+    fn of(tree: &Tree, notation: &impl Notation) -> Self {
         use Binding::{Atom, Sign};
         match tree {
-            Tree::Number(value) => Self::number(*value, style.scalar),
-            Tree::Symbol(symbol) => Self::symbol(*symbol, style),
-            Tree::Name(name) => Self::new(name, Atom),
+            Tree::Number(value) => notation.number(*value),
+            Tree::Symbol(symbol) => Self::new(notation.symbol(*symbol), Atom),
+            Tree::Name(name) => Self::new(notation.name(name), Atom),
             Tree::Negate(a) => {
-                Self { is_negative: true, ..Self::new(Self::of(a, style).operand(Atom), Sign) }
+                Self { is_negative: true, ..Self::new(Self::of(a, notation).operand(Atom), Sign) }
             }
             Tree::Binary(operation, operands) => {
-                let [a, b] = operands.each_ref().map(|operand| Self::of(operand, style));
+                let [a, b] = operands.each_ref().map(|operand| Self::of(operand, notation));
                 Self::binary(*operation, &a, &b)
             }
             Tree::MultiplyAdd(operands) => {
-                let [a, b, c] = operands.each_ref().map(|operand| Self::of(operand, style).whole());
-                Self::new(format!("fma({a}, {b}, {c})"), Atom)
+                notation.multiply_add(operands.each_ref().map(|operand| Self::of(operand, notation)))
             }
-            Tree::SquareRoot(a) => Self::new(format!("square_root({})", Self::of(a, style).whole()), Atom),
+            Tree::SquareRoot(a) => Self::new(notation.square_root(&Self::of(a, notation).whole()), Atom),
         }
     }
 
-    fn binary(operation: Operation, a: &Self, b: &Self) -> Self {
+    /// `a` and `b` with an operation between them.
+    pub(super) fn binary(operation: Operation, a: &Self, b: &Self) -> Self {
         use Binding::{Product, Sign, Sum};
         let (sign, right, binding) = match operation {
             // a + -b and a - -b are written without the second sign.
@@ -92,26 +117,6 @@ impl Text {
         };
         let (is_negative, left) = a.leading(binding);
         Self { is_negative, ..Self::new(format!("{left} {sign} {right}"), binding) }
-    }
-
-    fn number(value: f64, scalar: ScalarType) -> Self {
-        if scalar == ScalarType::Generic {
-            return Self::new(format!("constant({})", literal(value, scalar)), Binding::Atom);
-        }
-        let is_negative = value < 0.0;
-        let binding = if is_negative { Binding::Sign } else { Binding::Atom };
-        Self { is_negative, ..Self::new(literal(value.abs(), scalar), binding) }
-    }
-
-    fn symbol(symbol: Symbol, style: Style<'_>) -> Self {
-        let text = match (symbol, style.parameters) {
-            (Symbol::Parameter(invariant, indices), Some(parameters)) => {
-                let place = place(invariant, &indices, parameters.layout);
-                if style.scalar == ScalarType::Generic { format!("constant({place})") } else { place }
-            }
-            _ => symbol.to_string(),
-        };
-        Self::new(text, Binding::Atom)
     }
 }
 
@@ -130,7 +135,27 @@ mod tests {
         let minus = Tree::Negate(Box::new(product.clone()));
         let number = Tree::Number(-1.5);
         let scaled = binary(Operation::Multiply, &number, &a);
-        let style = Style { scalar: ScalarType::F64, parameters: None };
+        struct Plain;
+        impl Notation for Plain {
+            fn number(&self, value: f64) -> Text {
+                Text::number(value < 0.0, format!("{:?}", value.abs()))
+            }
+
+            fn symbol(&self, symbol: Symbol) -> String {
+                symbol.to_string()
+            }
+
+            fn multiply_add(&self, operands: [Text; 3]) -> Text {
+                Text::new(
+                    format!("fma({})", operands.map(|operand| operand.whole()).join(", ")),
+                    Binding::Atom,
+                )
+            }
+
+            fn square_root(&self, operand: &str) -> String {
+                format!("root({operand})")
+            }
+        }
         for (operation, left, right, expected) in [
             (Operation::Multiply, &sum, &a, "(a + b) * a"),
             (Operation::Subtract, &a, &sum, "a - (a + b)"),
@@ -147,7 +172,7 @@ mod tests {
             (Operation::Subtract, &a, &scaled, "a - -1.5 * a"),
             (Operation::Add, &number, &a, "-1.5 + a"),
         ] {
-            assert_eq!(expression(&binary(operation, left, right), style), expected);
+            assert_eq!(expression(&binary(operation, left, right), &Plain), expected);
         }
     }
 }

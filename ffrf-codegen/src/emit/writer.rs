@@ -43,8 +43,23 @@ impl Writer {
     /// Lines of documentation, written in SI units.
     pub(super) fn documentation<S: AsRef<str>>(&mut self, lines: impl IntoIterator<Item = S>) {
         for line in lines {
-            self.line(format!("/// {}", self.units.replace_in(line.as_ref())));
+            self.line(format!("/// {}", self.in_units(line.as_ref())));
         }
+    }
+
+    /// A line of documentation written in SI units, in those of the body.
+    pub(super) fn in_units(&self, line: &str) -> String {
+        self.units.replace_in(line)
+    }
+
+    /// What follows stands one level deeper.
+    pub(super) fn indent(&mut self) {
+        self.depth += 1;
+    }
+
+    /// What follows stands one level less deep.
+    pub(super) fn outdent(&mut self) {
+        self.depth = self.depth.saturating_sub(1);
     }
 
     /// `open`, then what `write` writes, one level deeper, then `close`.

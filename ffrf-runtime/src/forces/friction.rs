@@ -1,0 +1,37 @@
+//! Dry friction in a joint, smooth at rest.
+
+use nalgebra::RealField;
+
+use super::{Effort, ForceElement};
+use crate::body::{MarkerMotion, Wrench};
+
+/// Coulomb friction with a smooth passage through rest, and viscous friction: -(limit / √(v² + speed²) + viscous) v.
+///
+/// The friction of a bearing whose load is known; it does not follow the joint's reaction. A body at rest creeps under
+/// a force f below the limit with speed f / √(limit² - f²) times `speed`; near rest it is a damper of limit / speed, which
+/// explicit steps have to resolve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Friction<T = f64> {
+    /// Where it acts.
+    pub effort: Effort,
+    /// Friction of fast motion. Units: N or N m.
+    pub limit: T,
+    /// Speed of the passage, where 71 % of the limit are reached; positive. Units: m/s or rad/s.
+    pub speed: T,
+    /// Viscous part. Units: N s/m or N m s/rad.
+    pub viscous: T,
+}
+
+impl<T: RealField + Copy> ForceElement<T> for Friction<T> {
+    fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
+        let rate = self.effort.rate(first, second);
+        self.effort.wrenches(first, second, self.exerted(rate))
+    }
+}
+
+impl<T: RealField + Copy> Friction<T> {
+    /// The force or moment on the second end at this rate. Units: N or N m.
+    pub fn exerted(&self, rate: T) -> T {
+        -rate * (self.limit / (rate * rate + self.speed * self.speed).sqrt() + self.viscous)
+    }
+}
