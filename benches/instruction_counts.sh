@@ -1,5 +1,6 @@
 #!/bin/bash
-# Counts the instructions of one call of each kernel under callgrind and compares them with instruction_counts.json.
+# Counts the instructions of one call of each kernel, and of one constrained acceleration of each mechanism, under
+# callgrind and compares them with instruction_counts.json.
 # usage: instruction_counts.sh [--update]. Fails if a count grew by more than 3 %. Skips, loudly, without valgrind.
 # Built for x86-64-v3 (AVX2), the widest that valgrind can run; times are for another day, counts hardly change with load.
 set -u
@@ -8,15 +9,19 @@ if ! command -v valgrind > /dev/null || [ "$(uname -m)" != x86_64 ]; then
     echo "SKIPPED: instruction counts need valgrind on x86-64" >&2
     exit 0
 fi
-target=${CARGO_TARGET_DIR:-$here/kernels/target}/instruction-counts
-RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=$target \
-    cargo build --release --quiet --manifest-path "$here/kernels/Cargo.toml" --bin count || exit 1
+target() { # of a package
+    echo "${CARGO_TARGET_DIR:-$here/$1/target}/instruction-counts"
+}
+for package in kernels mechanisms; do
+    RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=$(target $package) \
+        cargo build --release --quiet --manifest-path "$here/$package/Cargo.toml" --bin count_$package || exit 1
+done
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
-counts() { # name: instructions of a hundred calls less those of none, by the hundred
+counts() { # package, name: instructions of a hundred calls less those of none, by the hundred
     local with without
     for calls in 0 100; do
-        valgrind --tool=callgrind --callgrind-out-file="$scratch/out" "$target/release/count" "$1" $calls \
+        valgrind --tool=callgrind --callgrind-out-file="$scratch/out" "$(target "$1")/release/count_$1" "$2" $calls \
             > /dev/null 2> "$scratch/log" || { cat "$scratch/log" >&2; return 1; }
         [ $calls = 0 ] && without=$(awk '/^(totals|summary):/ {print $2; exit}' "$scratch/out")
         [ $calls = 100 ] && with=$(awk '/^(totals|summary):/ {print $2; exit}' "$scratch/out")
@@ -26,9 +31,11 @@ counts() { # name: instructions of a hundred calls less those of none, by the hu
 {
     echo "{"
     separator=""
-    for name in $("$target/release/count" --list); do
-        printf '%s  "%s": %s' "$separator" "$name" "$(counts "$name")"
-        separator=$',\n'
+    for package in kernels mechanisms; do
+        for name in $("$(target $package)/release/count_$package" --list); do
+            printf '%s  "%s": %s' "$separator" "$name" "$(counts $package "$name")"
+            separator=$',\n'
+        done
     done
     printf '\n}\n'
 } > "$scratch/counts.json"

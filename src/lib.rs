@@ -4,7 +4,9 @@
 //! reads the model while your crate compiles and generates mass matrix, quadratic velocity vector and forward
 //! dynamics as straight-line code on the stack, without allocation, panics or `unsafe`.
 //!
-//! The facade re-exports the runtime ([`FlexibleBody`], states, integrators), the macro, and [`nalgebra`].
+//! [`mechanism!`] composes such bodies, rigid ones, joints, drives, forces and sensors into one type of static size.
+//!
+//! The facade re-exports the runtime ([`FlexibleBody`], states, integrators), the macros, and [`nalgebra`].
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -18,3 +20,8 @@ pub use ffrf_runtime::generated_support;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// The examples of the page on mechanisms, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/mechanisms.md")]
+struct Mechanisms;

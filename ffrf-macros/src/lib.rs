@@ -66,6 +66,34 @@ pub fn flexible_body(input: TokenStream) -> TokenStream {
 }
 
 /// Composes bodies, joints, drives, forces and sensors into one mechanism of static size.
+///
+/// ```text
+/// ffrf::mechanism! {
+///     /// A slider-crank.
+///     pub struct SliderCrank {
+///         bodies: {
+///             crank: rigid { mass: 0.5, inertia: [2e-4, 4e-4, 5e-4], markers: { PIN: [0.04, 0.0, 0.0] } },
+///             rod: Rod,                          // made by flexible_body!; `[Rod; 8]` for equal ones
+///             piston: rigid Piston,              // a type without modes; `free ...` if it may have no joint
+///         },
+///         gravity: [0.0, 0.0, -9.81],            // optional: m/s², inertial
+///         joints: {                              // between BODY, BODY.MARKER, BODY[i].MARKER, BODY.at([..]), ground
+///             main: revolute(ground, crank, axis: z),
+///             big_end: revolute(crank.PIN, rod.BIG_END, axis: z),
+///             small_end: spherical(rod.SMALL_END, piston.PIN),
+///             guide: prismatic(ground, piston.PIN, axis: x),
+///         },
+///         drives: { motor: angle(main, polynomial: [0.0, 100.0]) },
+///         forces: { friction: torsion_spring(big_end, stiffness: 0.0, damping: 1e-4) },
+///         sensors: { stroke: position(piston), bearing: reaction_force(main) },
+///         scalar: f64,                           // optional: f64 (default), f32 or generic
+///     }
+/// }
+/// ```
+///
+/// The result is the model `SliderCrank`, which implements `ffrf::mechanism::Assembly`, and its `SliderCrankState` with a
+/// field for each body; `model.in_motion(state)` takes steps, sensors are methods of the model. Every mistake is an error
+/// at its place. All kinds and options: `docs/mechanisms.md`.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     mechanism::mechanism(input.into()).into()

@@ -6,6 +6,7 @@
 //! - [`forces`]: every [`Load`].
 //! - [`integrators`]: [`step_rk4`] (explicit, order 4), [`step_linearly_implicit`] (stiff modes, order 2) and others, for
 //!   every [`System`].
+//! - [`mechanism`]: bodies, [`joints`] and force elements as one system; [`mechanism::Mechanism`] is a mechanism with state and time.
 //! - [`forms`] makes the inertial and the Euler-parameter form of the equations out of the kernels' one.
 //! - [`rotation`] states the one convention of rotations.
 //! - [`InvariantError`] is what `check` of a body says whose invariants come at run time.
@@ -15,7 +16,7 @@
 //! Features: `std` (default) takes float functions from the standard library, `libm` from the crate of that
 //! name, for targets without one. At least one of the two is needed.
 //!
-//! Current limitations: one body at a time, without joints; fixed steps.
+//! Current limitations: bodies without geometric stiffening; rows of joints are dense within a body.
 #![no_std]
 #![forbid(unsafe_code)]
 

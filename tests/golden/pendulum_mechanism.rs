@@ -265,7 +265,7 @@ const _: () = {
         fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R) -> R {
             let still = support::still::<f64>();
             use_it(&mut ::ffrf::mechanism::Storage {
-                values: &mut [::ffrf::generated_support::constant::<f64>(0.0); 91usize],
+                values: &mut [::ffrf::generated_support::constant::<f64>(0.0); 182usize],
                 solution: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
                 right: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
                 shift: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],

@@ -3,6 +3,7 @@
 
 mod bodies;
 mod chain;
+mod kinds;
 mod misassembled;
 mod pendulum;
 mod saved;

@@ -8,7 +8,7 @@
 
 use nalgebra::RealField;
 
-use super::node::Node;
+use super::node::{Coupling, Node, Step};
 
 /// Calls a method of a node with its number of unknowns as a constant, so that its loops have no bounds to check.
 macro_rules! by_size {
@@ -27,32 +27,6 @@ macro_rules! by_size {
 
 /// The largest node: six accelerations or six rows.
 pub const LARGEST_NODE: usize = 6;
-
-/// A node in the order of elimination.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Step {
-    /// Number of unknowns.
-    pub size: usize,
-    /// Where its unknowns begin in a vector of all.
-    pub unknowns: usize,
-    /// Where its diagonal block begins among the values, row by row; the blocks of its couplings follow in their order.
-    pub diagonal: usize,
-    /// First of its couplings.
-    pub couplings: usize,
-    /// First of its targets: one for each pair of couplings p >= q, in the order (0, 0), (1, 0), (1, 1), (2, 0), ...
-    pub targets: usize,
-}
-
-/// A node that is eliminated later and coupled to a node that is eliminated now.
-///
-/// Their block has the rows of the later node and the columns of the one eliminated now, row by row.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Coupling {
-    /// Number of unknowns of the later node.
-    pub size: usize,
-    /// Where the unknowns of the later node begin in a vector of all.
-    pub unknowns: usize,
-}
 
 /// The order of elimination with all places, made once for a mechanism.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,7 +2,31 @@
 
 use nalgebra::RealField;
 
-use super::{Coupling, Step};
+/// A node in the order of elimination.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Step {
+    /// Number of unknowns.
+    pub size: usize,
+    /// Where its unknowns begin in a vector of all.
+    pub unknowns: usize,
+    /// Where its diagonal block begins among the values, row by row; the blocks of its couplings follow in their order.
+    pub diagonal: usize,
+    /// First of its couplings.
+    pub couplings: usize,
+    /// First of its targets: one for each pair of couplings p >= q, in the order (0, 0), (1, 0), (1, 1), (2, 0), ...
+    pub targets: usize,
+}
+
+/// A node that is eliminated later and coupled to a node that is eliminated now.
+///
+/// Their block has the rows of the later node and the columns of the one eliminated now, row by row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Coupling {
+    /// Number of unknowns of the later node.
+    pub size: usize,
+    /// Where the unknowns of the later node begin in a vector of all.
+    pub unknowns: usize,
+}
 
 /// A node, with the nodes that are coupled to it when its turn comes.
 pub(super) struct Node<'a> {

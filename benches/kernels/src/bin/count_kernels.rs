@@ -1,4 +1,4 @@
-//! Calls one kernel so and so often, for instruction counts: `count NAME CALLS`, or `count --list`.
+//! Calls one kernel so and so often, for instruction counts: `count_kernels NAME CALLS`, or `count_kernels --list`.
 #![forbid(unsafe_code)]
 
 use std::hint::black_box;
@@ -83,6 +83,6 @@ fn main() -> Result<(), String> {
             let calls = calls.parse().map_err(|_| format!("expected a number of calls, found `{calls}`"))?;
             find(name, calls).ok_or_else(|| format!("unknown kernel `{name}`, see --list"))
         }
-        _ => Err("usage: count NAME CALLS, or count --list".to_owned()),
+        _ => Err("usage: count_kernels NAME CALLS, or count_kernels --list".to_owned()),
     }
 }

@@ -1,0 +1,151 @@
+//! Evaluates the accelerations of a mechanism so and so often, for instruction counts: `count_mechanisms NAME CALLS`, or `count_mechanisms --list`.
+#![forbid(unsafe_code)]
+
+use std::hint::black_box;
+
+use ffrf::System;
+use ffrf::mechanism::{Assembly, Constrained, Mechanism};
+
+ffrf::flexible_body! {
+    /// The connecting rod with eight modes.
+    pub struct Rod { model: "../../models/conrod.ffrf.json", modes: ..8 }
+}
+
+ffrf::flexible_body! {
+    /// The same with four.
+    pub struct Link { model: "../../models/conrod.ffrf.json", modes: ..4 }
+}
+
+ffrf::mechanism! {
+    /// A crank, a flexible rod, a piston: one loop with redundant rows.
+    pub struct SliderCrank {
+        bodies: {
+            crank: rigid {
+                mass: 0.5,
+                center_of_mass: [0.01, 0.0, 0.0],
+                inertia: [2e-4, 4e-4, 5e-4],
+                markers: { PIN: [0.04, 0.0, 0.0] },
+            },
+            rod: Rod,
+            piston: rigid { mass: 0.3, inertia: [1e-4, 1e-4, 1e-4] },
+        },
+        gravity: [0.0, 0.0, -9.81],
+        joints: {
+            main: revolute(ground, crank, axis: z),
+            big_end: revolute(crank.PIN, rod.BIG_END, axis: z),
+            small_end: spherical(rod.SMALL_END, piston),
+            guide: prismatic(ground, piston, axis: x),
+        },
+    }
+}
+
+/// A chain of so many links.
+macro_rules! chain {
+    ($name:ident $count:literal $joints:literal) => {
+        ffrf::mechanism! {
+            pub struct $name {
+                bodies: { links: [Link; $count] },
+                gravity: [0.0, -9.81, 0.0],
+                joints: {
+                    first: revolute(ground, links[0].BIG_END, axis: z),
+                    hinges: for i in 0..$joints { revolute(links[i].SMALL_END, links[i + 1].BIG_END, axis: z) },
+                },
+            }
+        }
+    };
+}
+chain!(Chain2 2 1);
+chain!(Chain8 8 7);
+chain!(Chain64 64 63);
+
+ffrf::mechanism! {
+    /// One link.
+    pub struct Chain1 {
+        bodies: { link: Link },
+        gravity: [0.0, -9.81, 0.0],
+        joints: { first: revolute(ground, link.BIG_END, axis: z) },
+    }
+}
+
+ffrf::mechanism! {
+    /// Sixteen arms on a rigid hub.
+    pub struct Star16 {
+        bodies: { hub: rigid { mass: 1.0, inertia: [1e-2, 1e-2, 1e-2] }, arms: [Link; 16] },
+        gravity: [0.0, -9.81, 0.0],
+        joints: {
+            center: revolute(ground, hub, axis: z),
+            roots: for i in 0..16 { revolute(hub, arms[i].BIG_END, axis: z) },
+        },
+    }
+}
+
+ffrf::mechanism! {
+    /// A binary tree of five levels.
+    pub struct Tree31 {
+        bodies: { nodes: [Link; 31] },
+        gravity: [0.0, -9.81, 0.0],
+        joints: {
+            root: revolute(ground, nodes[0].BIG_END, axis: z),
+            branches: for i in 1..31 {
+                revolute(nodes[(i - 1) / 2].SMALL_END, nodes[i].BIG_END, axis: z)
+            },
+        },
+    }
+}
+
+const NAMES: [&str; 7] = [
+    "slider_crank_m8",
+    "chain_m4_n1",
+    "chain_m4_n2",
+    "chain_m4_n8",
+    "chain_m4_n64",
+    "star_m4_n16",
+    "tree_m4_n31",
+];
+
+/// Accelerations of every body in the state at rest, joints open: the work does not depend on numbers.
+#[inline(never)]
+fn evaluate<A: Assembly<f64>>(mechanism: &Mechanism<A>, calls: usize) {
+    let Mechanism { model, state, time } = mechanism;
+    let zero = model.no_change(state);
+    for _ in 0..calls {
+        let rates = Constrained(model).rates(*time, black_box(state), &zero);
+        assert!(black_box(rates).is_ok());
+    }
+}
+
+macro_rules! rest {
+    ($model:expr, $calls:expr) => {{
+        let model = $model;
+        evaluate(&model.in_motion(model.at_rest()), $calls);
+    }};
+}
+
+fn call(name: &str, calls: usize) -> Option<()> {
+    match name {
+        "slider_crank_m8" => rest!(SliderCrank::new(Rod), calls),
+        "chain_m4_n1" => rest!(Chain1::new(Link), calls),
+        "chain_m4_n2" => rest!(Chain2::new([Link; 2]), calls),
+        "chain_m4_n8" => rest!(Chain8::new([Link; 8]), calls),
+        "chain_m4_n64" => rest!(Chain64::new([Link; 64]), calls),
+        "star_m4_n16" => rest!(Star16::new([Link; 16]), calls),
+        "tree_m4_n31" => rest!(Tree31::new([Link; 31]), calls),
+        _ => return None,
+    }
+    Some(())
+}
+
+fn main() -> Result<(), String> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match arguments.as_slice() {
+        [list] if list == "--list" => {
+            NAMES.iter().for_each(|name| println!("{name}"));
+            Ok(())
+        }
+        [name, calls] => {
+            let calls = calls.parse().map_err(|_| format!("expected a number of calls, found `{calls}`"))?;
+            call(name, calls).ok_or_else(|| format!("unknown mechanism `{name}`, see --list"))
+        }
+        _ => Err("usage: count_mechanisms NAME CALLS, or count_mechanisms --list".to_owned()),
+    }
+}
