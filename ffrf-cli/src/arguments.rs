@@ -2,6 +2,7 @@
 
 mod code;
 mod interfaces;
+mod linearise;
 mod simulate;
 
 use std::path::PathBuf;
@@ -12,9 +13,10 @@ use ffrf_model::Units;
 
 pub use code::{Generate, Inspect};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
+pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
 
-/// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate.
+/// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.
 #[derive(Debug, Parser)]
 #[command(name = "ffrf", version, max_term_width = 100, arg_required_else_help = true)]
 pub struct Arguments {
@@ -45,7 +47,23 @@ pub enum Command {
     /// Simulate a mechanism from a scene file, without a compiler.
     #[command(after_help = SIMULATE_EXAMPLE)]
     Simulate(Simulate),
+    /// Linearise a mechanism: state of rest, A, B, C, D, eigenfrequencies and damping, frequency response.
+    #[command(visible_alias = "linearize", after_help = LINEARISE_EXAMPLE)]
+    Linearise(Linearise),
+    /// Eigenfrequencies and whirl of a mechanism against the speed at which it turns.
+    #[command(after_help = CAMPBELL_EXAMPLE)]
+    Campbell(Campbell),
 }
+
+const LINEARISE_EXAMPLE: &str = "\
+Examples:
+  ffrf linearise crane.toml
+  ffrf linearise crane.toml -o crane.npz --response crane.csv --frequencies 0.1,100,400
+  ffrf linearise crane.toml --at initial -o crane.mat";
+
+const CAMPBELL_EXAMPLE: &str = "\
+Example:
+  ffrf campbell rotor.toml --spin rotor --speeds 0,2000,41 -o rotor.csv --plot rotor.svg";
 
 const SIMULATE_EXAMPLE: &str = "\
 Examples:
@@ -177,6 +195,10 @@ pub struct Reduce {
     /// commas, or a node set of the deck. Repeatable.
     #[arg(long = "marker", value_name = "NAME=NODE", value_parser = parse_marker)]
     pub markers: Vec<MarkerArgument>,
+    /// Write the surface with the displacements of the modes to this file, for animations (.npz); see `ffrf simulate
+    /// --animation`.
+    #[arg(long, value_name = "SURFACE.npz", conflicts_with = "interfaces")]
+    pub surface: Option<PathBuf>,
     /// A line for people (default: name of the node file).
     #[arg(long)]
     pub title: Option<String>,

@@ -6,13 +6,16 @@
 //! the file named by `-o`; errors and progress go to standard error.
 #![forbid(unsafe_code)]
 
+mod animation;
 mod arguments;
+mod campbell;
 mod component_modes;
 mod describe;
 mod evaluate;
 mod fe_input;
 mod generate;
 mod inspect;
+mod linearise;
 mod modes;
 mod output;
 mod plots;
@@ -51,6 +54,8 @@ pub fn run() -> ExitCode {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Linearise(arguments) => linearise::run(&arguments),
+        Command::Campbell(arguments) => campbell::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -6,6 +6,7 @@ use ffrf_fe::import::{read_square_matrix, source_file};
 use ffrf_fe::reduction::{Damping, MODE_SHAPES, MarkerRequest, ReductionOptions, reduce};
 use ffrf_model::ReducedBody;
 
+use crate::animation::skin;
 use crate::arguments::{MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
 use crate::{component_modes, describe, fe_input, modes, output};
@@ -43,7 +44,18 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     say(&format!("{}\n", solution.report))?;
     let first = solution.report.modes.first().and_then(|mode| mode.frequency_hz);
     fe_input::warn_of_units(&model, arguments.files.body_units(), first);
-    finish(arguments, &reduce(&model, &solution.basis, &options)?)
+    let body = reduce(&model, &solution.basis, &options)?;
+    if let Some(target) = &arguments.surface {
+        let surface = skin(&model, &solution.basis)?;
+        output::write_bytes(target, &surface.encode()?)?;
+        say(&format!(
+            "surface: {} points, {} triangles; written: {}\n",
+            surface.points.len(),
+            surface.triangles.len(),
+            target.display()
+        ))?;
+    }
+    finish(arguments, &body)
 }
 
 /// Checks, writes and describes the body.

@@ -11,6 +11,7 @@
 //! [`kernels`] runs what the generator would print, without compiling it: to evaluate and verify bodies.
 #![forbid(unsafe_code)]
 
+pub mod analysis;
 pub mod body;
 pub mod kernels;
 pub mod mechanism;

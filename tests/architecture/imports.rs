@@ -28,7 +28,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         (
             "ffrf-cli",
             entry(
-                &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model"],
+                &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model", "ffrf-runtime"],
                 &["anyhow", "clap", "indicatif", "npyz", "plotters", "serde", "serde_json", "zip"],
             ),
         ),
@@ -36,7 +36,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
             "ffrf-host",
             entry(
                 &["ffrf-codegen", "ffrf-model", "ffrf-runtime"],
-                &["nalgebra", "num-dual", "serde", "thiserror", "toml"],
+                &["faer", "nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
         (

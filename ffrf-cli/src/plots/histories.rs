@@ -91,7 +91,7 @@ fn draw_panel(place: &Area<'_>, panel: &Panel, abscissae: &[f64], axis: Option<&
                 .y_labels(5)
                 .y_label_formatter(&|value| tick(*value, low, high, panel.logarithmic))
                 .draw()?;
-            for (number, (name, values)) in panel.lines.iter().enumerate() {
+            for (number, (_, values)) in panel.lines.iter().enumerate() {
                 let points = thin(abscissae, values).into_iter().map($clip);
                 let stroke = colour(number).stroke_width(2);
                 chart.draw_series(LineSeries::new(points, stroke))?;

@@ -1,10 +1,15 @@
 //! Pictures as SVG, with one set of colours.
 
+mod campbell;
 mod histories;
 mod transfer;
 
+use std::path::Path;
+
+use anyhow::{Result, bail};
 use plotters::prelude::{IntoFont as _, RGBColor, TextStyle};
 
+pub use campbell::draw as draw_campbell;
 pub use histories::{Panel, draw as draw_histories};
 pub use transfer::draw as draw_transfer;
 
@@ -22,6 +27,14 @@ const LINES: [RGBColor; 7] = [
     RGBColor(230, 159, 0),
     RGBColor(0, 0, 0),
 ];
+
+/// Refuses names of pictures in formats that are not written.
+pub fn refuse_other_pictures(path: &Path) -> Result<()> {
+    match path.extension() {
+        Some(ending) if ending == "svg" => Ok(()),
+        _ => bail!("{}: expected the name of a picture that ends in .svg", path.display()),
+    }
+}
 
 /// The colour of line `index`.
 fn colour(index: usize) -> RGBColor {

@@ -1,6 +1,7 @@
 //! Samples over time as files; the ending of a file's name says in which format.
 
 mod csv;
+mod mat;
 mod npz;
 mod parquet;
 
@@ -9,6 +10,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
+pub use mat::mat;
 pub use npz::{Array, archive};
 
 /// Named columns of equal length, kept row by row.

@@ -12,9 +12,10 @@ use ffrf_host::scene::Scene;
 use ffrf_host::simulate::{Progress, SavedState, SceneCheck, Summary, check, header, simulate};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::animation::{Show, Surface};
 use crate::arguments::Simulate;
 use crate::results::{Columns, Format};
-use crate::{output, plots};
+use crate::{animation, output, plots};
 
 /// Runs the command.
 pub fn run(arguments: &Simulate) -> Result<()> {
@@ -27,8 +28,14 @@ pub fn run(arguments: &Simulate) -> Result<()> {
     // what cannot be written is refused before the work is done
     let format = arguments.output.as_deref().map(Format::of).transpose()?;
     if let Some(plot) = &arguments.plot {
-        refuse_other_pictures(plot)?;
+        plots::refuse_other_pictures(plot)?;
     }
+    if let Some(target) =
+        arguments.animation.as_ref().filter(|target| !target.to_string_lossy().ends_with(".glb"))
+    {
+        anyhow::bail!("{}: expected the name of an animation that ends in .glb", target.display());
+    }
+    let surfaces = read_surfaces(&scene, path, arguments.animation.is_some())?;
     let saved = arguments.load_state.as_deref().map(read_state).transpose()?;
     let mut columns = Columns { names: header(&scene), rows: Vec::new() };
     let begin = Instant::now();
@@ -58,6 +65,13 @@ pub fn run(arguments: &Simulate) -> Result<()> {
         output::write(Some(target), &picture)?;
         written(target, &mut report);
     }
+    if let Some(target) = &arguments.animation {
+        let show = Show { playback: arguments.playback, deformation: arguments.deformation_scale };
+        let (bytes, line) = animation::glb(&scene, &columns, &surfaces, show)?;
+        output::write_bytes(target, &bytes)?;
+        let _ = writeln!(report, "animation: {line}");
+        written(target, &mut report);
+    }
     if let (Some(target), Some(format)) = (&arguments.output, format) {
         output::write_bytes(target, &format.encode(&columns)?)?;
         written(target, &mut report);
@@ -70,11 +84,16 @@ pub fn run(arguments: &Simulate) -> Result<()> {
     Ok(())
 }
 
-fn refuse_other_pictures(path: &Path) -> Result<()> {
-    match path.extension() {
-        Some(ending) if ending == "svg" => Ok(()),
-        _ => anyhow::bail!("{}: expected the name of a picture that ends in .svg", path.display()),
-    }
+/// The surfaces that a scene names, of each body; none are read unless they are shown.
+fn read_surfaces(scene: &Scene, path: &Path, shown: bool) -> Result<Vec<Option<Surface>>> {
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let bodies = scene.surfaces.iter().zip(scene.mechanism.bodies());
+    bodies
+        .map(|(name, body)| match name {
+            Some(name) if shown => Surface::read(&folder.join(name), body.mode_count()).map(Some),
+            _ => Ok(None),
+        })
+        .collect()
 }
 
 fn read_state(path: &Path) -> Result<SavedState> {

@@ -3,35 +3,35 @@
 use ffrf_codegen::fidelity::{EnergyTerm, Fidelity};
 use ffrf_model::ReducedBody;
 use ffrf_runtime::{FlexibleBody, GeneralisedForce, Marker, ModalMatrix, ModalVector, Observables, Prepared};
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, RealField, Vector3, convert};
 
 use super::HostModal;
 
 /// Symmetric tensor: xx, yy, zz, xy, xz, yz.
-type Symmetric = [f64; 6];
+type Symmetric<T = f64> = [T; 6];
 
-/// A flexible body of run-time size, in f64.
+/// A flexible body of run-time size; made in f64, and [`cast`](HostBody::cast) to number types that carry derivatives.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HostBody {
-    mass: f64,
+pub struct HostBody<T: RealField + Copy = f64> {
+    mass: T,
     /// m a, or zero.
-    first_moment: Vector3<f64>,
+    first_moment: Vector3<T>,
     /// Rows of m B. Shape: 3 x M.
-    modal_first_moment: [HostModal; 3],
+    modal_first_moment: [HostModal<T>; 3],
     /// Θ.
-    inertia: Symmetric,
+    inertia: Symmetric<T>,
     /// Θ_μ + Θ_μᵀ. Shape: M.
-    linear: Vec<Symmetric>,
+    linear: Vec<Symmetric<T>>,
     /// Θ_νμ + Θ_μν. Shape: M x M.
-    quadratic: Vec<Vec<Symmetric>>,
+    quadratic: Vec<Vec<Symmetric<T>>>,
     /// ϑ_μ. Shape: M.
-    rotation: Vec<Vector3<f64>>,
+    rotation: Vec<Vector3<T>>,
     /// ϑ_νμ. Shape: M x M.
-    whirl: Vec<Vec<Vector3<f64>>>,
-    modal_mass: ModalMatrix<HostModal, f64>,
-    stiffness: ModalMatrix<HostModal, f64>,
-    damping: ModalMatrix<HostModal, f64>,
-    largest_stable_step: Option<f64>,
+    whirl: Vec<Vec<Vector3<T>>>,
+    modal_mass: ModalMatrix<HostModal<T>, T>,
+    stiffness: ModalMatrix<HostModal<T>, T>,
+    damping: ModalMatrix<HostModal<T>, T>,
+    largest_stable_step: Option<T>,
 }
 
 impl HostBody {
@@ -112,11 +112,6 @@ impl HostBody {
         }
     }
 
-    /// Number of modes.
-    pub fn mode_count(&self) -> usize {
-        self.linear.len()
-    }
-
     /// S(ω): what centrifugal forces at spin ω take from the stiffness of the modes. Shape: M x M. `omega`: body frame.
     ///
     /// Source: (209), derivative of the modal part to q.
@@ -145,30 +140,65 @@ impl HostBody {
     }
 }
 
-impl FlexibleBody<f64> for HostBody {
-    type Modal = HostModal;
+impl<T: RealField + Copy> HostBody<T> {
+    /// Number of modes.
+    pub fn mode_count(&self) -> usize {
+        self.linear.len()
+    }
+}
 
-    fn undeformed(&self) -> HostModal {
+impl HostBody {
+    /// The same body in another number type.
+    pub fn cast<T: RealField + Copy>(&self) -> HostBody<T> {
+        let tensor = |tensor: &Symmetric| tensor.map(convert);
+        let vector = |vector: &Vector3<f64>| vector.map(convert);
+        HostBody {
+            mass: convert(self.mass),
+            first_moment: vector(&self.first_moment),
+            modal_first_moment: self.modal_first_moment.each_ref().map(HostModal::cast),
+            inertia: tensor(&self.inertia),
+            linear: self.linear.iter().map(tensor).collect(),
+            quadratic: self.quadratic.iter().map(|row| row.iter().map(tensor).collect()).collect(),
+            rotation: self.rotation.iter().map(vector).collect(),
+            whirl: self.whirl.iter().map(|row| row.iter().map(vector).collect()).collect(),
+            modal_mass: cast_matrix(&self.modal_mass),
+            stiffness: cast_matrix(&self.stiffness),
+            damping: cast_matrix(&self.damping),
+            largest_stable_step: self.largest_stable_step.map(convert),
+        }
+    }
+}
+
+impl<T: RealField + Copy> FlexibleBody<T> for HostBody<T> {
+    type Modal = HostModal<T>;
+
+    fn undeformed(&self) -> HostModal<T> {
         HostModal::zeros(self.mode_count())
     }
 
-    fn modal_mass(&self) -> ModalMatrix<HostModal, f64> {
+    fn modal_mass(&self) -> ModalMatrix<HostModal<T>, T> {
         self.modal_mass.clone()
     }
 
-    fn stiffness(&self) -> ModalMatrix<HostModal, f64> {
+    fn stiffness(&self) -> ModalMatrix<HostModal<T>, T> {
         self.stiffness.clone()
     }
 
-    fn damping(&self) -> ModalMatrix<HostModal, f64> {
+    fn damping(&self) -> ModalMatrix<HostModal<T>, T> {
         self.damping.clone()
     }
 
-    fn prepare(&self, q: &HostModal, omega: &Vector3<f64>, q_dot: &HostModal) -> Prepared<HostModal, f64> {
+    fn prepare(
+        &self,
+        q: &HostModal<T>,
+        omega: &Vector3<T>,
+        q_dot: &HostModal<T>,
+    ) -> Prepared<HostModal<T>, T> {
+        let (two, half): (T, T) = (convert(2.0), convert(0.5));
         let (coordinates, rates) = (q.as_slice(), q_dot.as_slice());
         let spin = spin_products(omega);
         let mut inertia = self.inertia;
-        let mut inertia_rate = [0.0; 6];
+        let mut inertia_rate = [T::zero(); 6];
         let mut coupling = [q.zeros_alike(), q.zeros_alike(), q.zeros_alike()];
         let mut modal_force = q.zeros_alike();
         for (mu, (linear, rotation)) in self.linear.iter().zip(&self.rotation).enumerate() {
@@ -176,30 +206,30 @@ impl FlexibleBody<f64> for HostBody {
             let (mut even, mut odd, mut whirl) = (*linear, *rotation, Vector3::zeros());
             for nu in 0..coordinates.len() {
                 for (sum, entry) in even.iter_mut().zip(&self.quadratic[nu][mu]) {
-                    *sum += coordinates[nu] * entry;
+                    *sum += coordinates[nu] * *entry;
                 }
                 odd += self.whirl[nu][mu] * coordinates[nu];
                 whirl += self.whirl[nu][mu] * rates[nu];
             }
             for k in 0..6 {
-                inertia[k] += 0.5 * coordinates[mu] * (linear[k] + even[k]);
+                inertia[k] += half * coordinates[mu] * (linear[k] + even[k]);
                 inertia_rate[k] += rates[mu] * even[k];
             }
             for axis in 0..3 {
                 coupling[axis].as_mut_slice()[mu] = odd[axis];
             }
-            let centrifugal: f64 = spin.iter().zip(&even).map(|(spin, even)| spin * even).sum();
-            modal_force.as_mut_slice()[mu] = 2.0 * omega.dot(&whirl) - 0.5 * centrifugal;
+            let centrifugal = spin.iter().zip(&even).fold(T::zero(), |sum, (spin, even)| sum + *spin * *even);
+            modal_force.as_mut_slice()[mu] = two * omega.dot(&whirl) - half * centrifugal;
         }
         let inertia = full(&inertia);
-        let rows_times = |rows: &[HostModal; 3], modal: &HostModal| {
+        let rows_times = |rows: &[HostModal<T>; 3], modal: &HostModal<T>| {
             Vector3::new(rows[0].dot(modal), rows[1].dot(modal), rows[2].dot(modal))
         };
         let first_moment = self.first_moment + rows_times(&self.modal_first_moment, q);
         let momentum = rows_times(&self.modal_first_moment, q_dot);
         let angular = inertia * omega + rows_times(&coupling, q_dot);
         let mut internal_force = self.stiffness.product(q);
-        internal_force.add_scaled(1.0, &self.damping.product(q_dot));
+        internal_force.add_scaled(T::one(), &self.damping.product(q_dot));
         Prepared {
             mass: self.mass,
             first_moment,
@@ -207,7 +237,7 @@ impl FlexibleBody<f64> for HostBody {
             modal_first_moment: self.modal_first_moment.clone(),
             rotation_modal_coupling: coupling,
             quadratic_velocity: GeneralisedForce {
-                force: omega.cross(&(omega.cross(&first_moment) + momentum * 2.0)),
+                force: omega.cross(&(omega.cross(&first_moment) + momentum * two)),
                 moment: omega.cross(&angular) + full(&inertia_rate) * omega,
                 modal: modal_force,
             },
@@ -215,12 +245,12 @@ impl FlexibleBody<f64> for HostBody {
         }
     }
 
-    fn largest_stable_step(&self) -> Option<f64> {
+    fn largest_stable_step(&self) -> Option<T> {
         self.largest_stable_step
     }
 }
 
-impl Observables<f64> for HostBody {}
+impl<T: RealField + Copy> Observables<T> for HostBody<T> {}
 
 /// Θ + Θᵀ of a moment, with Θ = tr(T) I - Tᵀ. Source: (207), transpose corrected.
 fn twice_inertia(moment: &[[f64; 3]; 3]) -> Symmetric {
@@ -235,14 +265,15 @@ fn axial(moment: &[[f64; 3]; 3]) -> Vector3<f64> {
     Vector3::new(moment[1][2] - moment[2][1], moment[2][0] - moment[0][2], moment[0][1] - moment[1][0])
 }
 
-fn full([xx, yy, zz, xy, xz, yz]: &Symmetric) -> Matrix3<f64> {
+fn full<T: RealField + Copy>([xx, yy, zz, xy, xz, yz]: &Symmetric<T>) -> Matrix3<T> {
     Matrix3::new(*xx, *xy, *xz, *xy, *yy, *yz, *xz, *yz, *zz)
 }
 
 /// Factors of a symmetric tensor S in ω · S ω.
-fn spin_products(omega: &Vector3<f64>) -> Symmetric {
+fn spin_products<T: RealField + Copy>(omega: &Vector3<T>) -> Symmetric<T> {
     let [x, y, z] = [omega.x, omega.y, omega.z];
-    [x * x, y * y, z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z]
+    let two: T = convert(2.0);
+    [x * x, y * y, z * z, two * x * y, two * x * z, two * y * z]
 }
 
 /// Diagonal if every other entry is zero.
@@ -250,4 +281,11 @@ fn matrix(modes: usize, entry: impl Fn(usize, usize) -> f64) -> ModalMatrix<Host
     let dense = DMatrix::from_fn(modes, modes, entry);
     let diagonal = (0..modes).all(|mu| (0..modes).all(|nu| mu == nu || dense[(mu, nu)] == 0.0));
     if diagonal { ModalMatrix::Diagonal(HostModal(dense.diagonal())) } else { ModalMatrix::Dense(dense) }
+}
+
+fn cast_matrix<T: RealField + Copy>(matrix: &ModalMatrix<HostModal, f64>) -> ModalMatrix<HostModal<T>, T> {
+    match matrix {
+        ModalMatrix::Diagonal(diagonal) => ModalMatrix::Diagonal(diagonal.cast()),
+        ModalMatrix::Dense(dense) => ModalMatrix::Dense(dense.map(convert)),
+    }
 }

@@ -1,28 +1,35 @@
 //! Vectors over the modes whose number is known at run time.
 
 use ffrf_runtime::ModalVector;
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, RealField};
 
 /// Numbers, one for each mode.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HostModal(pub DVector<f64>);
+pub struct HostModal<T: RealField + Copy = f64>(pub DVector<T>);
 
-impl HostModal {
+impl<T: RealField + Copy> HostModal<T> {
     /// Zeros. Shape: `modes`.
     pub fn zeros(modes: usize) -> Self {
         Self(DVector::zeros(modes))
     }
 }
 
-impl ModalVector<f64> for HostModal {
-    type Matrix = DMatrix<f64>;
-    type Factors = Cholesky<f64, Dyn>;
+impl HostModal {
+    /// The same numbers in another type.
+    pub fn cast<T: RealField + Copy>(&self) -> HostModal<T> {
+        HostModal(self.0.map(nalgebra::convert))
+    }
+}
 
-    fn as_slice(&self) -> &[f64] {
+impl<T: RealField + Copy> ModalVector<T> for HostModal<T> {
+    type Matrix = DMatrix<T>;
+    type Factors = Cholesky<T, Dyn>;
+
+    fn as_slice(&self) -> &[T] {
         self.0.as_slice()
     }
 
-    fn as_mut_slice(&mut self) -> &mut [f64] {
+    fn as_mut_slice(&mut self) -> &mut [T] {
         self.0.as_mut_slice()
     }
 
@@ -30,7 +37,7 @@ impl ModalVector<f64> for HostModal {
         Self(matrix * &vector.0)
     }
 
-    fn combination(matrix: &Self::Matrix, factor: f64, other: &Self::Matrix) -> Self::Matrix {
+    fn combination(matrix: &Self::Matrix, factor: T, other: &Self::Matrix) -> Self::Matrix {
         matrix + other * factor
     }
 

@@ -10,28 +10,28 @@ use ffrf_runtime::{
     FlexibleBody, Forcing, Increment, LocalError, Marker, MarkerMotion, ModalVector, Oscillators, State,
     Tolerances,
 };
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
 
 use super::plan::OwnedPlan;
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
 /// Forces of elements and users: sees the whole mechanism.
-pub type Forces = dyn Fn(f64, &mut HostPorts<'_>) + Send + Sync;
+pub type Forces<T = f64> = dyn Fn(T, &mut HostPorts<'_, T>) + Send + Sync;
 
-/// A mechanism of run-time size.
-pub struct HostMechanism {
-    bodies: Vec<HostBody>,
-    markers: Vec<Vec<Marker<HostModal, f64>>>,
-    connections: Vec<Connection<f64>>,
+/// A mechanism of run-time size; made in f64, and [`cast`](HostMechanism::cast) to number types that carry derivatives.
+pub struct HostMechanism<T: RealField + Copy = f64> {
+    bodies: Vec<HostBody<T>>,
+    markers: Vec<Vec<Marker<HostModal<T>, T>>>,
+    connections: Vec<Connection<T>>,
     drives: Vec<Option<Drive>>,
-    gravity: Vector3<f64>,
-    elements: Vec<Element>,
-    actuators: Vec<ScheduledActuator>,
-    forces: Option<Box<Forces>>,
+    gravity: Vector3<T>,
+    elements: Vec<Element<T>>,
+    actuators: Vec<ScheduledActuator<T>>,
+    forces: Option<Box<Forces<T>>>,
     plan: OwnedPlan,
-    treatment: Treatment<f64>,
-    regularisation: Regularisation<f64>,
+    treatment: Treatment<T>,
+    regularisation: Regularisation<T>,
 }
 
 impl HostMechanism {
@@ -75,36 +75,104 @@ impl HostMechanism {
         })
     }
 
+    /// The same mechanism with every drive held at its value at `time` (s); forces of users' own stay behind.
+    pub fn with_drives_held(&self, time: f64) -> Self {
+        let mut held = self.cast();
+        for drive in held.drives.iter_mut().flatten() {
+            *drive = Drive::Polynomial(vec![drive.at(time)[0]]);
+        }
+        held
+    }
+
+    /// The same mechanism in another number type; forces of users' own stay behind.
+    pub fn cast<T: RealField + Copy>(&self) -> HostMechanism<T> {
+        HostMechanism {
+            bodies: self.bodies.iter().map(HostBody::cast).collect(),
+            markers: self.markers.iter().map(|list| list.iter().map(cast_marker).collect()).collect(),
+            connections: self.connections.iter().map(Connection::cast).collect(),
+            drives: self.drives.clone(),
+            gravity: self.gravity.map(convert),
+            elements: self
+                .elements
+                .iter()
+                .map(|element| Element {
+                    kind: element.kind.cast(),
+                    first: element.first.cast(),
+                    second: element.second.cast(),
+                })
+                .collect(),
+            actuators: self.actuators.iter().map(ScheduledActuator::cast).collect(),
+            forces: None,
+            plan: self.plan.clone(),
+            treatment: match self.treatment {
+                Treatment::Projection { iterations, tolerance } => {
+                    Treatment::Projection { iterations, tolerance: convert(tolerance) }
+                }
+                Treatment::Baumgarte { alpha, beta } => {
+                    Treatment::Baumgarte { alpha: convert(alpha), beta: convert(beta) }
+                }
+                Treatment::Index3 => Treatment::Index3,
+                Treatment::StabilisedIndex2 => Treatment::StabilisedIndex2,
+            },
+            regularisation: Regularisation {
+                share: convert(self.regularisation.share),
+                refinements: self.regularisation.refinements,
+            },
+        }
+    }
+}
+
+impl<T: RealField + Copy> HostMechanism<T> {
     /// The same mechanism with these force elements.
     #[must_use]
-    pub fn with_elements(mut self, elements: Vec<Element>) -> Self {
+    pub fn with_elements(mut self, elements: Vec<Element<T>>) -> Self {
         self.elements = elements;
         self
     }
 
     /// The same mechanism with these actuators.
     #[must_use]
-    pub fn with_actuators(mut self, actuators: Vec<ScheduledActuator>) -> Self {
+    pub fn with_actuators(mut self, actuators: Vec<ScheduledActuator<T>>) -> Self {
         self.actuators = actuators;
         self
     }
 
     /// The same mechanism with these forces besides gravity and force elements.
     #[must_use]
-    pub fn with_forces(mut self, forces: Box<Forces>) -> Self {
+    pub fn with_forces(mut self, forces: Box<Forces<T>>) -> Self {
         self.forces = Some(forces);
         self
     }
 
     /// The same mechanism with another treatment of its constraints.
     #[must_use]
-    pub fn with_treatment(mut self, treatment: Treatment<f64>) -> Self {
+    pub fn with_treatment(mut self, treatment: Treatment<T>) -> Self {
         self.treatment = treatment;
         self
     }
 
+    /// The same mechanism with another drive of a connection.
+    #[must_use]
+    pub fn with_drive(mut self, connection: usize, drive: Drive) -> Self {
+        if let Some(place) = self.drives.get_mut(connection) {
+            *place = Some(drive);
+        }
+        self
+    }
+
+    /// The joint or drive `index`.
+    pub fn connection(&self, index: usize) -> Option<&Connection<T>> {
+        self.connections.get(index)
+    }
+
+    /// The connection that each constraint row belongs to.
+    pub fn row_connections(&self) -> impl Iterator<Item = usize> + '_ {
+        let rows = self.connections.iter().map(|connection| connection.kind.row_count());
+        rows.enumerate().flat_map(|(index, count)| std::iter::repeat_n(index, count))
+    }
+
     /// The markers of each body.
-    pub fn markers(&self) -> &[Vec<Marker<HostModal, f64>>] {
+    pub fn markers(&self) -> &[Vec<Marker<HostModal<T>, T>>] {
         &self.markers
     }
 
@@ -113,15 +181,20 @@ impl HostMechanism {
         &self.drives
     }
 
+    /// The actuators.
+    pub fn actuators(&self) -> &[ScheduledActuator<T>] {
+        &self.actuators
+    }
+
     /// The force elements.
-    pub fn elements(&self) -> &[Element] {
+    pub fn elements(&self) -> &[Element<T>] {
         &self.elements
     }
 
     /// The first joint at a marker that modes move.
     pub fn joint_on_modes(&self) -> Option<usize> {
-        let moved = |marker: &Marker<HostModal, f64>| {
-            marker.translation.iter().chain(&marker.rotation).any(|row| row.largest() > 0.0)
+        let moved = |marker: &Marker<HostModal<T>, T>| {
+            marker.translation.iter().chain(&marker.rotation).any(|row| row.largest() > T::zero())
         };
         self.connections.iter().position(|joint| {
             let mut ends = [&joint.first, &joint.second].into_iter();
@@ -130,7 +203,7 @@ impl HostMechanism {
     }
 
     /// Modes, each on its own, of every body; `None` if joints hold what modes move, or where matrices are dense.
-    fn oscillators(&self) -> Option<Vec<Oscillators<HostModal>>> {
+    fn oscillators(&self) -> Option<Vec<Oscillators<HostModal<T>>>> {
         match self.joint_on_modes() {
             Some(_) => None,
             None => self.bodies.iter().map(Oscillators::new).collect(),
@@ -138,42 +211,45 @@ impl HostMechanism {
     }
 
     /// The bodies.
-    pub fn bodies(&self) -> &[HostBody] {
+    pub fn bodies(&self) -> &[HostBody<T>] {
         &self.bodies
     }
 
     /// Gravity. Shape: 3. Units: m/s². Frame: inertial.
-    pub fn gravity(&self) -> Vector3<f64> {
+    pub fn gravity(&self) -> Vector3<T> {
         self.gravity
     }
 }
 
 /// The bodies of a mechanism in one state.
-pub struct HostPorts<'a>(pub Vec<HostPort<'a>>);
+pub struct HostPorts<'a, T: RealField + Copy = f64>(pub Vec<HostPort<'a, T>>);
 
 /// One body of a mechanism in one state.
-pub type HostPort<'a> = BodyPort<'a, HostBody, Vec<AttachedRow<HostModal>>, f64>;
+pub type HostPort<'a, T = f64> = BodyPort<'a, HostBody<T>, Vec<AttachedRow<HostModal<T>>>, T>;
 
-impl Ports<f64> for HostPorts<'_> {
-    fn port(&self, index: usize) -> Option<&dyn Port<f64>> {
-        self.0.get(index).map(|port| port as &dyn Port<f64>)
+impl<T: RealField + Copy> Ports<T> for HostPorts<'_, T> {
+    fn port(&self, index: usize) -> Option<&dyn Port<T>> {
+        self.0.get(index).map(|port| port as &dyn Port<T>)
     }
 
-    fn port_mut(&mut self, index: usize) -> Option<&mut dyn Port<f64>> {
-        self.0.get_mut(index).map(|port| port as &mut dyn Port<f64>)
+    fn port_mut(&mut self, index: usize) -> Option<&mut dyn Port<T>> {
+        self.0.get_mut(index).map(|port| port as &mut dyn Port<T>)
     }
 }
 
-impl Assembly<f64> for HostMechanism {
-    type State = Vec<State<HostModal>>;
-    type Increment = HostIncrement;
-    type Ports<'a> = HostPorts<'a>;
+impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
+    type State = Vec<State<HostModal<T>, T>>;
+    type Increment = HostIncrement<T>;
+    type Ports<'a>
+        = HostPorts<'a, T>
+    where
+        Self: 'a;
 
     fn ports<'a>(
         &'a self,
         state: Self::State,
-        implicit: Option<ImplicitTerms<'a, HostIncrement, f64>>,
-    ) -> HostPorts<'a> {
+        implicit: Option<ImplicitTerms<'a, HostIncrement<T>, T>>,
+    ) -> HostPorts<'a, T> {
         let bodies = self.bodies.iter().zip(&self.markers).zip(state);
         let ports = bodies.enumerate().map(|(index, ((body, markers), state))| {
             let terms = implicit.map(|ImplicitTerms { gamma_h, subtracted }| ImplicitTerms {
@@ -186,13 +262,13 @@ impl Assembly<f64> for HostMechanism {
         HostPorts(ports.collect())
     }
 
-    fn collect(&self, ports: &HostPorts<'_>, increment: &HostIncrement) -> HostIncrement {
+    fn collect(&self, ports: &HostPorts<'_, T>, increment: &HostIncrement<T>) -> HostIncrement<T> {
         HostIncrement(
             ports.0.iter().zip(&increment.0).map(|(port, increment)| port.rate(increment)).collect(),
         )
     }
 
-    fn correct(&self, ports: &mut HostPorts<'_>, level: Level) {
+    fn correct(&self, ports: &mut HostPorts<'_, T>, level: Level) {
         for port in &mut ports.0 {
             match level {
                 Level::Position => port.state.displace(&port.motion),
@@ -201,16 +277,16 @@ impl Assembly<f64> for HostMechanism {
         }
     }
 
-    fn state(&self, ports: HostPorts<'_>) -> Self::State {
+    fn state(&self, ports: HostPorts<'_, T>) -> Self::State {
         ports.0.into_iter().map(|port| port.state).collect()
     }
 
-    fn with_storage<R>(&self, use_it: impl FnOnce(&mut Storage<'_, f64>) -> R) -> R {
+    fn with_storage<R>(&self, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
         let joints = self.connections.len();
         let still = MarkerMotion::fixed(Vector3::zeros(), UnitQuaternion::identity());
-        let unknowns = || vec![0.0; self.plan.unknown_count];
+        let unknowns = || vec![T::zero(); self.plan.unknown_count];
         use_it(&mut Storage {
-            values: &mut vec![0.0; self.plan.value_count],
+            values: &mut vec![T::zero(); self.plan.value_count],
             solution: &mut unknowns(),
             right: &mut unknowns(),
             shift: &mut unknowns(),
@@ -223,15 +299,18 @@ impl Assembly<f64> for HostMechanism {
         self.plan.view()
     }
 
-    fn connections(&self) -> &[Connection<f64>] {
+    fn connections(&self) -> &[Connection<T>] {
         &self.connections
     }
 
-    fn drive(&self, joint: usize, time: f64) -> [f64; 3] {
-        self.drives.get(joint).and_then(Option::as_ref).map_or([0.0; 3], |drive| drive.at(time))
+    fn drive(&self, joint: usize, time: T) -> [T; 3] {
+        // time is a plain number in every type: nothing is differentiated by it
+        let time = try_convert(time).unwrap_or(f64::NAN);
+        let drive = self.drives.get(joint).and_then(Option::as_ref);
+        drive.map_or([T::zero(); 3], |drive| drive.at(time).map(convert))
     }
 
-    fn load(&self, time: f64, ports: &mut HostPorts<'_>) {
+    fn load(&self, time: T, ports: &mut HostPorts<'_, T>) {
         for port in &mut ports.0 {
             port.weigh(&self.gravity);
         }
@@ -246,11 +325,11 @@ impl Assembly<f64> for HostMechanism {
         }
     }
 
-    fn treatment(&self) -> Treatment<f64> {
+    fn treatment(&self) -> Treatment<T> {
         self.treatment
     }
 
-    fn regularisation(&self) -> Regularisation<f64> {
+    fn regularisation(&self) -> Regularisation<T> {
         self.regularisation
     }
 
@@ -258,58 +337,71 @@ impl Assembly<f64> for HostMechanism {
         state.iter().all(State::is_finite)
     }
 
-    fn no_change(&self, state: &Self::State) -> HostIncrement {
+    fn no_change(&self, state: &Self::State) -> HostIncrement<T> {
         HostIncrement(state.iter().map(|state| Increment::zeros(&state.modal_coordinates)).collect())
     }
 
-    fn retract(&self, origin: &Self::State, increment: &HostIncrement) -> Self::State {
+    fn retract(&self, origin: &Self::State, increment: &HostIncrement<T>) -> Self::State {
         origin.iter().zip(&increment.0).map(|(state, increment)| state.retract(increment)).collect()
     }
 
-    fn place_rates(&self, origin: &Self::State, increment: &HostIncrement) -> HostIncrement {
+    fn place_rates(&self, origin: &Self::State, increment: &HostIncrement<T>) -> HostIncrement<T> {
         let rates =
             origin.iter().zip(&increment.0).map(|(state, part)| part.place_rate(&state.retract(part)));
         HostIncrement(rates.collect())
     }
 
-    fn velocities_only(&self, increment: &HostIncrement) -> HostIncrement {
+    fn velocities_only(&self, increment: &HostIncrement<T>) -> HostIncrement<T> {
         HostIncrement(increment.0.iter().map(Increment::velocities_only).collect())
     }
 
-    fn local_error(&self, difference: &HostIncrement) -> LocalError {
-        let none = LocalError { position: 0.0, orientation: 0.0, modal_coordinates: 0.0 };
+    fn local_error(&self, difference: &HostIncrement<T>) -> LocalError<T> {
+        let none = LocalError { position: T::zero(), orientation: T::zero(), modal_coordinates: T::zero() };
         difference.0.iter().fold(none, |error, body| error.or(body.local_error()))
     }
 
     fn weighted_error(
         &self,
         state: &Self::State,
-        difference: &HostIncrement,
-        tolerances: &Tolerances,
-    ) -> f64 {
+        difference: &HostIncrement<T>,
+        tolerances: &Tolerances<T>,
+    ) -> T {
         let squares =
             state.iter().zip(&difference.0).map(|(state, part)| part.weighted_squares(state, tolerances));
-        let (sum, count) = squares.fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
-        if count > 0.0 { (sum / count).sqrt() } else { 0.0 }
+        let (sum, count) = squares.fold((T::zero(), T::zero()), |sum, part| (sum.0 + part.0, sum.1 + part.1));
+        if count > T::zero() { (sum / count).sqrt() } else { T::zero() }
     }
 
-    fn largest_stable_step(&self) -> Option<f64> {
-        self.bodies.iter().filter_map(FlexibleBody::largest_stable_step).reduce(f64::min)
+    fn largest_stable_step(&self) -> Option<T> {
+        self.bodies.iter().filter_map(FlexibleBody::largest_stable_step).reduce(T::min)
     }
 
-    fn vibration_rates(&self, state: &Self::State) -> Option<HostIncrement> {
+    fn vibration_rates(&self, state: &Self::State) -> Option<HostIncrement<T>> {
         let modes = self.oscillators()?;
         Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.rates(state)).collect()))
     }
 
-    fn free_vibration(&self, state: &Self::State, step: f64) -> Option<HostIncrement> {
+    fn free_vibration(&self, state: &Self::State, step: T) -> Option<HostIncrement<T>> {
         let modes = self.oscillators()?;
         Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.free(state, step)).collect()))
     }
 
-    fn forced_vibration(&self, rates: &HostIncrement, step: f64, forcing: Forcing) -> Option<HostIncrement> {
+    fn forced_vibration(
+        &self,
+        rates: &HostIncrement<T>,
+        step: T,
+        forcing: Forcing,
+    ) -> Option<HostIncrement<T>> {
         let modes = self.oscillators()?;
         let parts = modes.iter().zip(&rates.0);
         Some(HostIncrement(parts.map(|(modes, rates)| modes.forced(rates, step, forcing)).collect()))
+    }
+}
+
+fn cast_marker<T: RealField + Copy>(marker: &Marker<HostModal, f64>) -> Marker<HostModal<T>, T> {
+    Marker {
+        position: marker.position.map(convert),
+        translation: marker.translation.each_ref().map(HostModal::cast),
+        rotation: marker.rotation.each_ref().map(HostModal::cast),
     }
 }

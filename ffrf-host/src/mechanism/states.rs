@@ -1,21 +1,22 @@
 //! The increments of all bodies as one vector.
 
 use ffrf_runtime::{Increment, VectorSpace};
+use nalgebra::RealField;
 
 use crate::HostModal;
 
 /// A change of the states of all bodies.
 #[derive(Debug, Clone, PartialEq)]
-pub struct HostIncrement(pub Vec<Increment<HostModal>>);
+pub struct HostIncrement<T: RealField + Copy = f64>(pub Vec<Increment<HostModal<T>, T>>);
 
-impl VectorSpace<f64> for HostIncrement {
-    fn add_scaled(&mut self, factor: f64, other: &Self) {
+impl<T: RealField + Copy> VectorSpace<T> for HostIncrement<T> {
+    fn add_scaled(&mut self, factor: T, other: &Self) {
         for (own, other) in self.0.iter_mut().zip(&other.0) {
             own.add_scaled(factor, other);
         }
     }
 
-    fn scale(&mut self, factor: f64) {
+    fn scale(&mut self, factor: T) {
         for own in &mut self.0 {
             own.scale(factor);
         }

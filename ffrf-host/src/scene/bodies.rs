@@ -69,6 +69,7 @@ fn rigid(name: &str, key: &str, table: &BodyTable, mass: f64) -> Result<NamedBod
     for (given, what) in [
         (table.modes.is_some(), "modes"),
         (table.fidelity.is_some(), "fidelity"),
+        (table.surface.is_some(), "surface"),
         (table.modal_coordinates.is_some(), "modal_coordinates"),
         (table.modal_rates.is_some(), "modal_rates"),
     ] {

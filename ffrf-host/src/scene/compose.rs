@@ -26,6 +26,12 @@ pub struct Scene {
     pub body_names: Vec<String>,
     /// Names of the connections: those of joints, and of their drives.
     pub connection_names: Vec<String>,
+    /// Names of the force elements.
+    pub element_names: Vec<String>,
+    /// Names of the actuators.
+    pub actuator_names: Vec<String>,
+    /// For each body the file of its surface, if the scene names one: for pictures only.
+    pub surfaces: Vec<Option<String>>,
     /// What is measured.
     pub sensors: Vec<Sensor>,
     /// How it is simulated.
@@ -68,12 +74,19 @@ impl Scene {
             joint_connections.push((name.clone(), own));
         }
         let (mut elements, mut actuators) = (Vec::new(), Vec::new());
+        let (mut element_names, mut actuator_names) = (Vec::new(), Vec::new());
         for (name, table) in &file.forces {
             check_name("forces", name)?;
             let joints = Joints { names: &joint_connections, connections: &connections };
             match forces::element(name, table, &mut named, &states, &joints, folder)? {
-                Composed::Element(element) => elements.push(element),
-                Composed::Actuator(actuator) => actuators.push(actuator),
+                Composed::Element(element) => {
+                    elements.push(element);
+                    element_names.push(name.clone());
+                }
+                Composed::Actuator(actuator) => {
+                    actuators.push(actuator);
+                    actuator_names.push(name.clone());
+                }
             }
         }
         let mut sensors = Vec::with_capacity(file.sensors.len());
@@ -81,13 +94,24 @@ impl Scene {
             check_name("sensors", name)?;
             sensors.push(sensor(name, table, &mut named, &joint_connections)?);
         }
+        let surfaces = file.bodies.iter().map(|(_, table)| table.surface.clone()).collect();
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
             .with_actuators(actuators)
             .with_treatment(settings.treatment);
-        let scene = Self { mechanism, initial: states, body_names, connection_names, sensors, settings };
+        let scene = Self {
+            mechanism,
+            initial: states,
+            body_names,
+            connection_names,
+            element_names,
+            actuator_names,
+            surfaces,
+            sensors,
+            settings,
+        };
         scene.joint_coordinates()?;
         scene.check_modes()?;
         Ok(scene)

@@ -82,7 +82,7 @@ pub(super) fn effort(
         let limit = table.limit.map(|limit| number(key, Some(limit), "limit", None)).transpose()?;
         let input = function_of_time(&format!("{key}.input"), input, folder)?;
         let limit = limit.unwrap_or(f64::MAX);
-        Ok(Composed::Actuator(ScheduledActuator { effort, input, gain, limit, first, second }))
+        Ok(Composed::Actuator(ScheduledActuator { effort, input, added: 0.0, gain, limit, first, second }))
     }
 }
 

@@ -40,6 +40,8 @@ pub struct SimulationTable {
 pub struct BodyTable {
     /// Model file, relative to the scene file.
     pub model: Option<String>,
+    /// Surface file for animations, relative to the scene file; no number of a simulation depends on it.
+    pub surface: Option<String>,
     /// Number of modes that are used; all if nothing is said.
     pub modes: Option<usize>,
     /// Which terms of the kinetic energy are kept: a level, or a list of terms.

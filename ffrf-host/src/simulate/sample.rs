@@ -3,7 +3,7 @@
 use ffrf_runtime::forces::relative_angle;
 use ffrf_runtime::mechanism::{Assembly, Constrained, Storage, acceleration, reaction as reaction_of_one};
 use ffrf_runtime::{Observables, State, StepError, rotation};
-use nalgebra::Vector3;
+use nalgebra::{RealField, Vector3};
 
 use crate::HostModal;
 use crate::mechanism::{HostMechanism, HostPorts};
@@ -74,25 +74,26 @@ pub(super) fn sample(
     Ok(Sample { time, values })
 }
 
-fn read(
+/// Appends what a sensor measures. `angle`: that of an angle sensor at the sample before, continued over turns.
+pub(crate) fn read<T: RealField + Copy>(
     kind: &SensorKind,
-    mechanism: &HostMechanism,
-    ports: &HostPorts<'_>,
-    storage: &Storage<'_, f64>,
-    angle: &mut Option<f64>,
-    values: &mut Vec<f64>,
+    mechanism: &HostMechanism<T>,
+    ports: &HostPorts<'_, T>,
+    storage: &Storage<'_, T>,
+    angle: &mut Option<T>,
+    values: &mut Vec<T>,
 ) {
     match kind {
-        SensorKind::Position(at) => values.extend_from_slice(at.motion(ports).position.as_slice()),
-        SensorKind::Velocity(at) => values.extend_from_slice(at.motion(ports).velocity.as_slice()),
-        SensorKind::Acceleration(at) => values.extend_from_slice(acceleration(at, ports).as_slice()),
+        SensorKind::Position(at) => values.extend_from_slice(at.cast().motion(ports).position.as_slice()),
+        SensorKind::Velocity(at) => values.extend_from_slice(at.cast().motion(ports).velocity.as_slice()),
+        SensorKind::Acceleration(at) => values.extend_from_slice(acceleration(&at.cast(), ports).as_slice()),
         SensorKind::Orientation(at) => {
-            values.extend(rotation::euler_parameters(&at.motion(ports).orientation))
+            values.extend(rotation::euler_parameters(&at.cast().motion(ports).orientation))
         }
         SensorKind::Angle(joint) => {
             let [first, second] = &storage.ends[*joint];
             let now = relative_angle(first, second);
-            let turn = std::f64::consts::TAU;
+            let turn = T::two_pi();
             let continued = angle.map_or(now, |before| now + turn * ((before - now) / turn).round());
             *angle = Some(continued);
             values.push(continued);
@@ -107,11 +108,11 @@ fn read(
 }
 
 /// Force and moment of joints on their second body, at the attachment there.
-fn reaction(
-    mechanism: &HostMechanism,
-    storage: &Storage<'_, f64>,
+fn reaction<T: RealField + Copy>(
+    mechanism: &HostMechanism<T>,
+    storage: &Storage<'_, T>,
     joints: &[usize],
-) -> (Vector3<f64>, Vector3<f64>) {
+) -> (Vector3<T>, Vector3<T>) {
     let plan = mechanism.plan();
     let mut sum = (Vector3::zeros(), Vector3::zeros());
     for joint in joints {

@@ -70,7 +70,7 @@ pub enum StateError {
 }
 
 impl SavedState {
-    pub(super) fn new(
+    pub(crate) fn new(
         scene: &Scene,
         time: f64,
         advance: &Advance,
@@ -116,8 +116,8 @@ impl SavedState {
         Ok(Some(memory))
     }
 
-    /// The states of the bodies of a scene, bit by bit.
-    pub(super) fn states(&self, scene: &Scene) -> Result<Vec<State<HostModal>>, StateError> {
+    /// The states of the bodies of a scene, bit by bit. Errors: see [`StateError`].
+    pub fn states(&self, scene: &Scene) -> Result<Vec<State<HostModal>>, StateError> {
         if let Some(body) = self.bodies.keys().find(|name| !scene.body_names.contains(name)) {
             return Err(StateError::Extra { body: body.clone() });
         }

@@ -90,6 +90,30 @@ impl<T: RealField + Copy> JointKind<T> {
     }
 }
 
+impl JointKind<f64> {
+    /// The same joint in another number type.
+    pub fn cast<T: RealField + Copy>(&self) -> JointKind<T> {
+        match *self {
+            Self::Angle(joint) => JointKind::Angle(joint),
+            Self::ConstantOrientation(joint) => JointKind::ConstantOrientation(joint),
+            Self::Cylindrical(joint) => JointKind::Cylindrical(joint),
+            Self::Distance(Distance { length }) => {
+                JointKind::Distance(Distance { length: nalgebra::convert(length) })
+            }
+            Self::Fixed(joint) => JointKind::Fixed(joint),
+            Self::Generic(joint) => JointKind::Generic(joint),
+            Self::InLine(joint) => JointKind::InLine(joint),
+            Self::InPlane(joint) => JointKind::InPlane(joint),
+            Self::Planar(joint) => JointKind::Planar(joint),
+            Self::Prismatic(joint) => JointKind::Prismatic(joint),
+            Self::Revolute(joint) => JointKind::Revolute(joint),
+            Self::Spherical(joint) => JointKind::Spherical(joint),
+            Self::Travel(joint) => JointKind::Travel(joint),
+            Self::Universal(joint) => JointKind::Universal(joint),
+        }
+    }
+}
+
 impl<T: RealField + Copy> Joint<T> for JointKind<T> {
     fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, drive: &[T; 3]) -> Rows<T> {
         match self {

@@ -3,6 +3,7 @@
 mod assemble;
 mod assembly;
 mod body_port;
+mod cast;
 mod connection;
 mod constrained;
 mod constraints;
