@@ -2,10 +2,10 @@
 
 use anyhow::{Context, Result};
 use ffrf_codegen::GenerateOptions;
+use ffrf_host::kernels::GeneratedKernels;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Evaluate;
-use crate::generated_kernels::GeneratedKernels;
 use crate::states::{State, Values};
 use crate::{output, states};
 

@@ -1,6 +1,6 @@
 //! The `ffrf` command: from finite-element files to a reduced body, to generated kernels, and checks of both.
 //!
-//! The binary calls [`run`]. What is public besides runs the kernels of a body that was read a moment ago; tests use it.
+//! The binary calls [`run`].
 //!
 //! Exit codes: 0 done, 1 failed (bad input, failed check), 2 wrong usage. Results go to standard output or to
 //! the file named by `-o`; errors and progress go to standard error.
@@ -14,10 +14,7 @@ mod describe;
 mod evaluate;
 mod fe_input;
 mod generate;
-pub mod generated_kernels;
 mod inspect;
-pub mod lane_body;
-pub mod lane_kernels;
 mod linearise;
 mod modes;
 mod output;

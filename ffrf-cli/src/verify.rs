@@ -9,10 +9,10 @@ use std::fmt::Write as _;
 use anyhow::{Context, Result, bail};
 use ffrf_codegen::GenerateOptions;
 use ffrf_fe::oracle::{Elastic, Oracle, OracleState, OracleValues, group_of};
+use ffrf_host::kernels::GeneratedKernels;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Verify;
-use crate::generated_kernels::GeneratedKernels;
 use crate::sample_states::{ANGULAR_VELOCITY, DISPLACEMENT, sample_forces, sample_states};
 use crate::{fe_input, modes, output};
 

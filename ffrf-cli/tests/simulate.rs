@@ -147,3 +147,48 @@ fn an_explicit_step_that_is_too_long_is_told_the_longest() {
     assert!(said.contains("t = "), "{said}");
     assert!(said.contains(&format!("explicit steps of at most {limit:.3e} s")), "{said}");
 }
+
+#[test]
+fn every_scene_of_the_repository_passes_its_check() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../models/scenes");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        if !name.ends_with(".toml") {
+            continue;
+        }
+        let check = ffrf(&["simulate", &scene(&name), "--check"]);
+        let said = String::from_utf8_lossy(&check.stdout).into_owned();
+        assert!(check.status.success(), "{name}: {}", String::from_utf8_lossy(&check.stderr));
+        assert!(said.contains("degrees of freedom: "), "{name}: {said}");
+        // a scene says in its first lines what it is and how it is run
+        let text = std::fs::read_to_string(scene(&name)).unwrap();
+        let stem = name.trim_end_matches(".toml");
+        assert!(text.starts_with("# "), "{name}");
+        assert!(text.contains(&format!("# ffrf simulate models/scenes/{name} -o {stem}.csv")), "{name}");
+        count += 1;
+    }
+    assert!(count >= 8, "{count} scenes");
+    // the row that lets Bricard's mechanism move is named
+    let check = ffrf(&["simulate", &scene("bricard.toml"), "--check"]);
+    let said = String::from_utf8_lossy(&check.stdout).into_owned();
+    assert!(said.contains("constraint rows: 30, of which redundant: 1\ndegrees of freedom: 1\n"), "{said}");
+    assert!(said.contains("  redundant: hinge_6: "), "{said}");
+}
+
+#[test]
+fn a_run_says_when_a_body_turns_too_fast_for_its_modes() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = folder.path().join("out.csv");
+    let text = std::fs::read_to_string(scene("spin_up_beam.toml")).unwrap();
+    let text = text.replace("\"../spin_up", &format!("\"{}", scene("../spin_up")));
+    let file = folder.path().join("scene.toml");
+    for (duration, warned) in [("duration = 9.0", true), ("duration = 8.0", false)] {
+        std::fs::write(&file, text.replace("duration = 15.0", duration)).unwrap();
+        let (file, output) = (file.display().to_string(), output.display().to_string());
+        let run = ffrf(&["simulate", &file, "-o", &output]);
+        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+        let said = [run.stdout, run.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+        assert_eq!(said.contains("warning: body `beam` turns at 3.8"), warned, "{said}");
+    }
+}

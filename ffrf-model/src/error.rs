@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::check::Check;
+use crate::measured::Check;
 use crate::text::printable;
 
 /// What can be wrong with a reduced body or with its file.

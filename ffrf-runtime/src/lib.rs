@@ -45,11 +45,11 @@ pub mod rotation;
 
 pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
-    GeneralisedForce, Increment, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
+    GeneralisedForce, Increment, Load, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
     NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State,
     Wrench,
 };
-pub use forces::{Frame, Gravity, Load, MarkerLoad};
+pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{
     AlphaMemory, ConservingSystem, ControlledStep, Correction, Drift, EnergyMomentum, ExponentialSystem,
     Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, StepError, StepReport, StiffSystem, System,

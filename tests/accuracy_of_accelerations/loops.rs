@@ -5,7 +5,7 @@ use ffrf_codegen::lanes::{LaneTables, MomentTables};
 
 use crate::equations::{Equations, Point};
 use crate::real::Real;
-use ffrf_cli::lane_body::Bodies;
+use ffrf_host::kernels::Bodies;
 
 /// The loops for these tables: numbers of groups that the suite uses, in the forms in which moments are stored.
 pub fn of<T: Real>(tables: &LaneTables) -> Box<dyn Equations<T>> {

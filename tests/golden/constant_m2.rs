@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          6 operations: 6 multiply-add
 //   quadratic_velocity   51 operations: 30 multiply-add, 18 multiply, 3 add
-//   forward_dynamics     196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide
-//   equations_of_motion  196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide
+//   forward_dynamics     193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide
+//   equations_of_motion  193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide
 //   kinetic_energy       76 operations: 48 multiply-add, 19 multiply, 9 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -189,7 +189,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide.
+    /// Cost: 193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -244,7 +244,7 @@ const _: () = {
         let reduced_moment_y = fma(-0.08598338632315888, t11, fma(-0.16046087573451495, modal_residual0, moment_y - t7));
         let reduced_moment_z = fma(0.09111695817864188, t11, fma(-0.03142194717232042, modal_residual0, moment_z - t8));
 
-        // Rigid-body accelerations (91 operations: 58 multiply-add, 27 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (88 operations: 58 multiply-add, 24 multiply, 3 add, 3 divide)
         let t15 = first_moment_z - 0.033584521165775975 - 0.07550464880583713 - 0.001421003685917668;
         let t16 = first_moment_y + 0.01344718162013649 + 0.03934744538491937 + 0.0006988473365497082;
         let t17 = fma(-0.061362351171116276, t15, t16);
@@ -273,46 +273,43 @@ const _: () = {
         let t40 = fma(-t24, t33, t35 * t39);
         let t41 = fma(t27, t28, fma(-t25, t29, fma(t34, t30, 3.3749788451046405)));
         let t42 = fma(-t32, t33, t41 * t39);
-        let t43 = fma(-t19, t20, fma(-t18, t21, fma(t14, t22, 3.7545433015546728)));
-        let t44 = fma(-t40, t40, t42 * fma(-t24, t24 * 0.12568115641159122, t43 * t39));
-        let t45 = 1.0 / t42;
-        let t46 = fma(0.03792272392606903, reduced_force_x, reduced_force_y);
-        let t47 = fma(0.061362351171116276, t46, fma(0.018650334881663885, reduced_force_x, reduced_force_z));
-        let t48 = 0.11662139865475424 * t47;
-        let t49 = 0.1271426537012805 * t46;
-        let t50 = reduced_force_x * 0.11453068990596851;
-        let t51 = fma(t15, t49, fma(-0.03747103421916469, t50, reduced_moment_x));
-        let t52 = fma(-t17, t48, t51);
-        let t53 = 1.0 / t38;
-        let t54 = t32 * t53;
-        let t55 = fma(t27, t48, fma(-t25, t49, fma(t34, t50, reduced_moment_y)));
-        let t56 = fma(-t52, t54, t55);
-        let t57 = t24 * t53;
-        let t58 = fma(-t19, t48, fma(-t18, t49, fma(t14, t50, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / t44 * (t39 * t42) * fma(-(t40 * t45), t56, fma(-t52, t57, t58));
-        let angular_acceleration_y = fma(-(t40 * t45), angular_acceleration_z, t39 * t45 * t56);
-        let angular_acceleration_x = fma(-t54, angular_acceleration_y, fma(-t57, angular_acceleration_z, t52 * t53));
-        let acceleration_z = fma(-t28, angular_acceleration_y, fma(-t36, angular_acceleration_x, t48));
+        let t43 = t24 * 0.12568115641159122;
+        let t44 = fma(-t19, t20, fma(-t18, t21, fma(t14, t22, 3.7545433015546728)));
+        let t45 = fma(0.03792272392606903, reduced_force_x, reduced_force_y);
+        let t46 = fma(0.061362351171116276, t45, fma(0.018650334881663885, reduced_force_x, reduced_force_z));
+        let t47 = 0.11662139865475424 * t46;
+        let t48 = 0.1271426537012805 * t45;
+        let t49 = reduced_force_x * 0.11453068990596851;
+        let t50 = fma(t15, t48, fma(-0.03747103421916469, t49, reduced_moment_x));
+        let t51 = fma(-t17, t47, t50);
+        let t52 = fma(t27, t47, fma(-t25, t48, fma(t34, t49, reduced_moment_y)));
+        let t53 = fma(-t51, t33, t52 * t39);
+        let t54 = fma(-t19, t47, fma(-t18, t48, fma(t14, t49, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t40, t40, t42 * fma(-t24, t43, t44 * t39)) * fma(-t40, t53, t42 * fma(-t51, t43, t54 * t39));
+        let angular_acceleration_y = 1.0 / t42 * fma(-t40, angular_acceleration_z, t53);
+        let t55 = fma(-t32, angular_acceleration_y, fma(-t24, angular_acceleration_z, t51));
+        let angular_acceleration_x = 1.0 / t38 * t55;
+        let acceleration_z = fma(-t28, angular_acceleration_y, fma(-t36, angular_acceleration_x, t47));
         let acceleration_z = fma(-t20, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t37, angular_acceleration_x, t49));
+        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t37, angular_acceleration_x, t48));
         let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t21, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t30, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t50));
+        let acceleration_x = fma(-t30, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t49));
         let acceleration_x = fma(0.018650334881663885, acceleration_z, fma(-t22, angular_acceleration_z, acceleration_x));
         let acceleration_x = fma(0.03792272392606903, acceleration_y, acceleration_x);
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t59 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t11);
-        let t60 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t59));
-        let t61 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t60));
-        let t62 = fma(0.09111695817864188, angular_acceleration_z, t61);
-        let t63 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
-        let t64 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t63));
-        let t65 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t64));
-        let t66 = fma(-0.2981434747608867, t62, fma(-0.03142194717232042, angular_acceleration_z, t65));
+        let t56 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t11);
+        let t57 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t56));
+        let t58 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t57));
+        let t59 = fma(0.09111695817864188, angular_acceleration_z, t58);
+        let t60 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
+        let t61 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t60));
+        let t62 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t61));
+        let t63 = fma(-0.2981434747608867, t59, fma(-0.03142194717232042, angular_acceleration_z, t62));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t66, t62,
+            angular_acceleration_y, angular_acceleration_z, t63, t59,
         ]
     }
 
@@ -320,7 +317,7 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide.
+    /// Cost: 193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 2],
@@ -380,7 +377,7 @@ const _: () = {
         let reduced_moment_y = fma(-0.08598338632315888, t14, fma(-0.16046087573451495, modal_residual0, moment_y - t10));
         let reduced_moment_z = fma(0.09111695817864188, t14, fma(-0.03142194717232042, modal_residual0, moment_z - t11));
 
-        // Rigid-body accelerations (91 operations: 58 multiply-add, 27 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (88 operations: 58 multiply-add, 24 multiply, 3 add, 3 divide)
         let t18 = first_moment_z - 0.033584521165775975 - 0.07550464880583713 - 0.001421003685917668;
         let t19 = first_moment_y + 0.01344718162013649 + 0.03934744538491937 + 0.0006988473365497082;
         let t20 = fma(-0.061362351171116276, t18, t19);
@@ -409,42 +406,39 @@ const _: () = {
         let t43 = fma(-t27, t36, t38 * t42);
         let t44 = fma(t30, t31, fma(-t28, t32, fma(t37, t33, 3.3749788451046405)));
         let t45 = fma(-t35, t36, t44 * t42);
-        let t46 = fma(-t22, t23, fma(-t21, t24, fma(t17, t25, 3.7545433015546728)));
-        let t47 = fma(-t43, t43, t45 * fma(-t27, t27 * 0.12568115641159122, t46 * t42));
-        let t48 = 1.0 / t45;
-        let t49 = fma(0.03792272392606903, reduced_force_x, reduced_force_y);
-        let t50 = fma(0.061362351171116276, t49, fma(0.018650334881663885, reduced_force_x, reduced_force_z));
-        let t51 = 0.11662139865475424 * t50;
-        let t52 = 0.1271426537012805 * t49;
-        let t53 = reduced_force_x * 0.11453068990596851;
-        let t54 = fma(t18, t52, fma(-0.03747103421916469, t53, reduced_moment_x));
-        let t55 = fma(-t20, t51, t54);
-        let t56 = 1.0 / t41;
-        let t57 = t35 * t56;
-        let t58 = fma(t30, t51, fma(-t28, t52, fma(t37, t53, reduced_moment_y)));
-        let t59 = fma(-t55, t57, t58);
-        let t60 = t27 * t56;
-        let t61 = fma(-t22, t51, fma(-t21, t52, fma(t17, t53, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / t47 * (t42 * t45) * fma(-(t43 * t48), t59, fma(-t55, t60, t61));
-        let angular_acceleration_y = fma(-(t43 * t48), angular_acceleration_z, t42 * t48 * t59);
-        let angular_acceleration_x = fma(-t57, angular_acceleration_y, fma(-t60, angular_acceleration_z, t55 * t56));
-        let acceleration_z = fma(-t31, angular_acceleration_y, fma(-t39, angular_acceleration_x, t51));
+        let t46 = t27 * 0.12568115641159122;
+        let t47 = fma(-t22, t23, fma(-t21, t24, fma(t17, t25, 3.7545433015546728)));
+        let t48 = fma(0.03792272392606903, reduced_force_x, reduced_force_y);
+        let t49 = fma(0.061362351171116276, t48, fma(0.018650334881663885, reduced_force_x, reduced_force_z));
+        let t50 = 0.11662139865475424 * t49;
+        let t51 = 0.1271426537012805 * t48;
+        let t52 = reduced_force_x * 0.11453068990596851;
+        let t53 = fma(t18, t51, fma(-0.03747103421916469, t52, reduced_moment_x));
+        let t54 = fma(-t20, t50, t53);
+        let t55 = fma(t30, t50, fma(-t28, t51, fma(t37, t52, reduced_moment_y)));
+        let t56 = fma(-t54, t36, t55 * t42);
+        let t57 = fma(-t22, t50, fma(-t21, t51, fma(t17, t52, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t43, t43, t45 * fma(-t27, t46, t47 * t42)) * fma(-t43, t56, t45 * fma(-t54, t46, t57 * t42));
+        let angular_acceleration_y = 1.0 / t45 * fma(-t43, angular_acceleration_z, t56);
+        let t58 = fma(-t35, angular_acceleration_y, fma(-t27, angular_acceleration_z, t54));
+        let angular_acceleration_x = 1.0 / t41 * t58;
+        let acceleration_z = fma(-t31, angular_acceleration_y, fma(-t39, angular_acceleration_x, t50));
         let acceleration_z = fma(-t23, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t32, angular_acceleration_y, fma(-t40, angular_acceleration_x, t52));
+        let acceleration_y = fma(-t32, angular_acceleration_y, fma(-t40, angular_acceleration_x, t51));
         let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t24, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t33, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t53));
+        let acceleration_x = fma(-t33, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t52));
         let acceleration_x = fma(0.018650334881663885, acceleration_z, fma(-t25, angular_acceleration_z, acceleration_x));
         let acceleration_x = fma(0.03792272392606903, acceleration_y, acceleration_x);
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t62 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t14);
-        let t63 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t62));
-        let t64 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t63));
-        let t65 = fma(0.09111695817864188, angular_acceleration_z, t64);
-        let t66 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
-        let t67 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t66));
-        let t68 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t67));
-        let t69 = fma(-0.2981434747608867, t65, fma(-0.03142194717232042, angular_acceleration_z, t68));
+        let t59 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t14);
+        let t60 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t59));
+        let t61 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t60));
+        let t62 = fma(0.09111695817864188, angular_acceleration_z, t61);
+        let t63 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
+        let t64 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t63));
+        let t65 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t64));
+        let t66 = fma(-0.2981434747608867, t62, fma(-0.03142194717232042, angular_acceleration_z, t65));
 
         (
             [
@@ -484,7 +478,7 @@ const _: () = {
             [t4, t7, t8, t9, t10, t11, 0.0, 0.0],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t69, t65,
+                angular_acceleration_y, angular_acceleration_z, t66, t62,
             ],
         )
     }

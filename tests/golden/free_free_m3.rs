@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          111 operations: 69 multiply-add, 15 multiply, 27 add
 //   quadratic_velocity   228 operations: 135 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide
-//   equations_of_motion  329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide
+//   forward_dynamics     326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide
+//   equations_of_motion  326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide
 //   kinetic_energy       158 operations: 94 multiply-add, 30 multiply, 34 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      3 operations: 3 multiply
@@ -345,7 +345,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide.
+    /// Cost: 326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -488,48 +488,45 @@ const _: () = {
         let t26 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
         let t27 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
         let t28 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
-        let t29 = inertia_xz - t28;
-        let t30 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
-        let t31 = inertia_xy - t30;
-        let t32 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
-        let t33 = fma(coupling_x2, modal_residual2, t32);
-        let reduced_moment_x = t19 - t33;
-        let t34 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
-        let reduced_moment_y = moment_y - (t4 + t6) - fma(coupling_y2, modal_residual2, t34);
-        let t35 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
-        let reduced_moment_z = moment_z - (t7 + t9) - fma(coupling_z2, modal_residual2, t35);
+        let t29 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
+        let t30 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let t31 = fma(coupling_x2, modal_residual2, t30);
+        let reduced_moment_x = t19 - t31;
+        let t32 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - (t4 + t6) - fma(coupling_y2, modal_residual2, t32);
+        let t33 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - (t7 + t9) - fma(coupling_z2, modal_residual2, t33);
 
-        // Rigid-body accelerations (35 operations: 10 multiply-add, 19 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (32 operations: 10 multiply-add, 16 multiply, 3 add, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t36 = t28 - inertia_xz;
-        let t37 = t31 * 0.13515587760150766;
-        let t38 = t24 * 0.13515587760150766;
-        let t39 = fma(t36, t37, (inertia_yz - t27) * t38);
-        let t40 = fma(t30 - inertia_xy, t37, (inertia_yy - t25) * t38);
-        let t41 = fma(t36, t29 * 0.13515587760150766, (inertia_zz - t26) * t38);
-        let t42 = 1.0 / t40;
-        let t43 = t33 - t19;
-        let t44 = 1.0 / t24;
-        let t45 = t31 * t44;
-        let t46 = fma(t43, t45, reduced_moment_y);
-        let t47 = t29 * t44;
-        let angular_acceleration_z = 1.0 / fma(-t39, t39, t40 * t41) * (t38 * t40) * fma(-(t39 * t42), t46, fma(t43, t47, reduced_moment_z));
-        let angular_acceleration_y = fma(-(t39 * t42), angular_acceleration_z, t38 * t42 * t46);
-        let angular_acceleration_x = fma(-t45, angular_acceleration_y, fma(-t47, angular_acceleration_z, reduced_moment_x * t44));
+        let t34 = t28 - inertia_xz;
+        let t35 = (inertia_xy - t29) * 0.13515587760150766;
+        let t36 = t24 * 0.13515587760150766;
+        let t37 = fma(t34, t35, (inertia_yz - t27) * t36);
+        let t38 = t29 - inertia_xy;
+        let t39 = fma(t38, t35, (inertia_yy - t25) * t36);
+        let t40 = (inertia_xz - t28) * 0.13515587760150766;
+        let t41 = fma(-t37, t37, t39 * fma(t34, t40, (inertia_zz - t26) * t36));
+        let t42 = t31 - t19;
+        let t43 = fma(t42, t35, reduced_moment_y * t36);
+        let angular_acceleration_z = 1.0 / t41 * fma(-t37, t43, t39 * fma(t42, t40, reduced_moment_z * t36));
+        let angular_acceleration_y = 1.0 / t39 * fma(-t37, angular_acceleration_z, t43);
+        let t44 = fma(t38, angular_acceleration_y, fma(t34, angular_acceleration_z, reduced_moment_x));
+        let angular_acceleration_x = 1.0 / t24 * t44;
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t48 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t49 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t50 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t45 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
+        let t46 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
+        let t47 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            fma(-coupling_z0, angular_acceleration_z, t48),
-            fma(-coupling_z1, angular_acceleration_z, t49),
-            fma(-coupling_z2, angular_acceleration_z, t50),
+            fma(-coupling_z0, angular_acceleration_z, t45),
+            fma(-coupling_z1, angular_acceleration_z, t46),
+            fma(-coupling_z2, angular_acceleration_z, t47),
         ]
     }
 
@@ -537,7 +534,7 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide.
+    /// Cost: 326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 3],
@@ -688,41 +685,38 @@ const _: () = {
         let t29 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
         let t30 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
         let t31 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
-        let t32 = inertia_xz - t31;
-        let t33 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
-        let t34 = inertia_xy - t33;
-        let t35 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
-        let t36 = fma(coupling_x2, modal_residual2, t35);
-        let reduced_moment_x = t22 - t36;
-        let t37 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
-        let reduced_moment_y = moment_y - t8 - fma(coupling_y2, modal_residual2, t37);
-        let t38 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
-        let reduced_moment_z = moment_z - t12 - fma(coupling_z2, modal_residual2, t38);
+        let t32 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
+        let t33 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let t34 = fma(coupling_x2, modal_residual2, t33);
+        let reduced_moment_x = t22 - t34;
+        let t35 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - t8 - fma(coupling_y2, modal_residual2, t35);
+        let t36 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - t12 - fma(coupling_z2, modal_residual2, t36);
 
-        // Rigid-body accelerations (35 operations: 10 multiply-add, 19 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (32 operations: 10 multiply-add, 16 multiply, 3 add, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t39 = t31 - inertia_xz;
-        let t40 = t34 * 0.13515587760150766;
-        let t41 = t27 * 0.13515587760150766;
-        let t42 = fma(t39, t40, (inertia_yz - t30) * t41);
-        let t43 = fma(t33 - inertia_xy, t40, (inertia_yy - t28) * t41);
-        let t44 = fma(t39, t32 * 0.13515587760150766, (inertia_zz - t29) * t41);
-        let t45 = 1.0 / t43;
-        let t46 = t36 - t22;
-        let t47 = 1.0 / t27;
-        let t48 = t34 * t47;
-        let t49 = fma(t46, t48, reduced_moment_y);
-        let t50 = t32 * t47;
-        let angular_acceleration_z = 1.0 / fma(-t42, t42, t43 * t44) * (t41 * t43) * fma(-(t42 * t45), t49, fma(t46, t50, reduced_moment_z));
-        let angular_acceleration_y = fma(-(t42 * t45), angular_acceleration_z, t41 * t45 * t49);
-        let angular_acceleration_x = fma(-t48, angular_acceleration_y, fma(-t50, angular_acceleration_z, reduced_moment_x * t47));
+        let t37 = t31 - inertia_xz;
+        let t38 = (inertia_xy - t32) * 0.13515587760150766;
+        let t39 = t27 * 0.13515587760150766;
+        let t40 = fma(t37, t38, (inertia_yz - t30) * t39);
+        let t41 = t32 - inertia_xy;
+        let t42 = fma(t41, t38, (inertia_yy - t28) * t39);
+        let t43 = (inertia_xz - t31) * 0.13515587760150766;
+        let t44 = fma(-t40, t40, t42 * fma(t37, t43, (inertia_zz - t29) * t39));
+        let t45 = t34 - t22;
+        let t46 = fma(t45, t38, reduced_moment_y * t39);
+        let angular_acceleration_z = 1.0 / t44 * fma(-t40, t46, t42 * fma(t45, t43, reduced_moment_z * t39));
+        let angular_acceleration_y = 1.0 / t42 * fma(-t40, angular_acceleration_z, t46);
+        let t47 = fma(t41, angular_acceleration_y, fma(t37, angular_acceleration_z, reduced_moment_x));
+        let angular_acceleration_x = 1.0 / t27 * t47;
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t51 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t52 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t53 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t48 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
+        let t49 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
+        let t50 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
 
         (
             [
@@ -740,9 +734,9 @@ const _: () = {
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
-                fma(-coupling_z0, angular_acceleration_z, t51),
-                fma(-coupling_z1, angular_acceleration_z, t52),
-                fma(-coupling_z2, angular_acceleration_z, t53),
+                fma(-coupling_z0, angular_acceleration_z, t48),
+                fma(-coupling_z1, angular_acceleration_z, t49),
+                fma(-coupling_z2, angular_acceleration_z, t50),
             ],
         )
     }

@@ -8,8 +8,8 @@
  * Cost of one call:
  *   mass_matrix          69 operations: 45 multiply-add, 6 multiply, 18 add
  *   quadratic_velocity   177 operations: 97 multiply-add, 50 multiply, 30 add
- *   forward_dynamics     353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
- *   equations_of_motion  353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
+ *   forward_dynamics     350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
+ *   equations_of_motion  350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
  *   kinetic_energy       139 operations: 87 multiply-add, 25 multiply, 27 add
  *   elastic_energy       7 operations: 3 multiply-add, 4 multiply
  *   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -436,7 +436,7 @@ void general_body_forward_dynamics(
     const double reduced_moment_y = (-t32 * t27 + (t46 * t33 + (moment_y - (t9 + t11))));
     const double reduced_moment_z = (-t35 * t27 + (t46 * t36 + (moment_z - (t12 + t14))));
 
-    /* Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide) */
+    /* Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide) */
     const double t47 = (t37 * 0.0004091582421192553 + t40);
     const double t48 = (0.00467217817937168 * t47 + (0.017484523064286796 * t37 + t43));
     const double t49 = (-0.0004091582421192553 * t39 + t42);
@@ -464,23 +464,22 @@ void general_body_forward_dynamics(
     const double t71 = (-t55 * t63 + (t57 * t51 + (t56 * t52 + t64)) * t70);
     const double t72 = (-t38 * t60 + (-t31 * t32 + (-coupling_y0 * t33 + inertia_yy)));
     const double t73 = (-t62 * t63 + (t57 * t58 + (t56 * t59 + t72)) * t70);
-    const double t74 = (t39 * t53 + (-t34 * t35 + (-coupling_z0 * t36 + inertia_zz)));
-    const double t75 = (-t55 * (t55 * 0.15636850806808475) + (t50 * t51 + (-t49 * t52 + t74)) * t70);
-    const double t76 = 1.0 / t73;
+    const double t74 = t55 * 0.15636850806808475;
+    const double t75 = (t39 * t53 + (-t34 * t35 + (-coupling_z0 * t36 + inertia_zz)));
+    const double t76 = (-t71 * t71 + t73 * (-t55 * t74 + (t50 * t51 + (-t49 * t52 + t75)) * t70));
     const double t77 = (0.0004091582421192553 * reduced_force_x + reduced_force_y);
     const double t78 = (-0.00467217817937168 * t77 + (-0.017484523064286796 * reduced_force_x + reduced_force_z));
     const double t79 = 0.1605622514848684 * t78;
     const double t80 = 0.15818048006224972 * t77;
     const double t81 = reduced_force_x * 0.1588997455690009;
     const double t82 = (-t48 * t79 + (t47 * t80 + (t37 * t81 + reduced_moment_x)));
-    const double t83 = 1.0 / t69;
-    const double t84 = t62 * t83;
-    const double t85 = (-t82 * t84 + (t57 * t79 + (t56 * t80 + (-t38 * t81 + reduced_moment_y))));
-    const double t86 = t55 * t83;
-    const double t87 = (-t82 * t86 + (t50 * t79 + (-t49 * t80 + (t39 * t81 + reduced_moment_z))));
-    const double angular_acceleration_z = 1.0 / (-t71 * t71 + t73 * t75) * (t70 * t73) * (-(t71 * t76) * t85 + t87);
-    const double angular_acceleration_y = (-(t71 * t76) * angular_acceleration_z + t70 * t76 * t85);
-    const double angular_acceleration_x = (-t84 * angular_acceleration_y + (-t86 * angular_acceleration_z + t82 * t83));
+    const double t83 = (t57 * t79 + (t56 * t80 + (-t38 * t81 + reduced_moment_y))) * t70;
+    const double t84 = (-t82 * t63 + t83);
+    const double t85 = (t50 * t79 + (-t49 * t80 + (t39 * t81 + reduced_moment_z))) * t70;
+    const double angular_acceleration_z = 1.0 / t76 * (-t71 * t84 + t73 * (-t82 * t74 + t85));
+    const double angular_acceleration_y = 1.0 / t73 * (-t71 * angular_acceleration_z + t84);
+    const double t86 = (-t62 * angular_acceleration_y + (-t55 * angular_acceleration_z + t82));
+    const double angular_acceleration_x = 1.0 / t69 * t86;
     double acceleration_z = (-t58 * angular_acceleration_y + (-t65 * angular_acceleration_x + t79));
     acceleration_z = (-t51 * angular_acceleration_z + acceleration_z);
     double acceleration_y = (-t59 * angular_acceleration_y + (-t66 * angular_acceleration_x + t80));
@@ -490,14 +489,14 @@ void general_body_forward_dynamics(
     acceleration_x = (0.0004091582421192553 * acceleration_y + acceleration_x);
 
     /* Modal accelerations (13 operations: 13 multiply-add) */
-    const double t88 = (0.20489076472014167 * acceleration_x + 0.6109679684298599 * t27);
-    const double t89 = (-0.2973147838811091 * acceleration_z + (0.09340198133197233 * acceleration_y + t88));
-    const double t90 = (-t32 * angular_acceleration_y + (-t29 * angular_acceleration_x + t89));
-    const double t91 = (-t35 * angular_acceleration_z + t90);
-    const double t92 = (0.10947427309831884 * acceleration_x + modal_residual0 * 0.6441576139992576);
-    const double t93 = (-0.060777630855081075 * acceleration_z + (-0.1691550279041342 * acceleration_y + t92));
-    const double t94 = (-t33 * angular_acceleration_y + (-t30 * angular_acceleration_x + t93));
-    const double t95 = (0.2807808078840186 * t91 + (-t36 * angular_acceleration_z + t94));
+    const double t87 = (0.20489076472014167 * acceleration_x + 0.6109679684298599 * t27);
+    const double t88 = (-0.2973147838811091 * acceleration_z + (0.09340198133197233 * acceleration_y + t87));
+    const double t89 = (-t32 * angular_acceleration_y + (-t29 * angular_acceleration_x + t88));
+    const double t90 = (-t35 * angular_acceleration_z + t89);
+    const double t91 = (0.10947427309831884 * acceleration_x + modal_residual0 * 0.6441576139992576);
+    const double t92 = (-0.060777630855081075 * acceleration_z + (-0.1691550279041342 * acceleration_y + t91));
+    const double t93 = (-t33 * angular_acceleration_y + (-t30 * angular_acceleration_x + t92));
+    const double t94 = (0.2807808078840186 * t90 + (-t36 * angular_acceleration_z + t93));
 
     acceleration[0] = acceleration_x;
     acceleration[1] = acceleration_y;
@@ -505,8 +504,8 @@ void general_body_forward_dynamics(
     acceleration[3] = angular_acceleration_x;
     acceleration[4] = angular_acceleration_y;
     acceleration[5] = angular_acceleration_z;
-    acceleration[6] = t95;
-    acceleration[7] = t91;
+    acceleration[6] = t94;
+    acceleration[7] = t90;
 }
 
 void general_body_equations_of_motion(
@@ -670,7 +669,7 @@ void general_body_equations_of_motion(
     const double reduced_moment_y = (-t38 * t33 + (t52 * t39 + (moment_y - t16)));
     const double reduced_moment_z = (-t41 * t33 + (t52 * t42 + (moment_z - t20)));
 
-    /* Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide) */
+    /* Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide) */
     const double t53 = (t43 * 0.0004091582421192553 + t46);
     const double t54 = (0.00467217817937168 * t53 + (0.017484523064286796 * t43 + t49));
     const double t55 = (-0.0004091582421192553 * t45 + t48);
@@ -698,23 +697,22 @@ void general_body_equations_of_motion(
     const double t77 = (-t61 * t69 + (t63 * t57 + (t62 * t58 + t70)) * t76);
     const double t78 = (-t44 * t66 + (-t37 * t38 + (-coupling_y0 * t39 + inertia_yy)));
     const double t79 = (-t68 * t69 + (t63 * t64 + (t62 * t65 + t78)) * t76);
-    const double t80 = (t45 * t59 + (-t40 * t41 + (-coupling_z0 * t42 + inertia_zz)));
-    const double t81 = (-t61 * (t61 * 0.15636850806808475) + (t56 * t57 + (-t55 * t58 + t80)) * t76);
-    const double t82 = 1.0 / t79;
+    const double t80 = t61 * 0.15636850806808475;
+    const double t81 = (t45 * t59 + (-t40 * t41 + (-coupling_z0 * t42 + inertia_zz)));
+    const double t82 = (-t77 * t77 + t79 * (-t61 * t80 + (t56 * t57 + (-t55 * t58 + t81)) * t76));
     const double t83 = (0.0004091582421192553 * reduced_force_x + reduced_force_y);
     const double t84 = (-0.00467217817937168 * t83 + (-0.017484523064286796 * reduced_force_x + reduced_force_z));
     const double t85 = 0.1605622514848684 * t84;
     const double t86 = 0.15818048006224972 * t83;
     const double t87 = reduced_force_x * 0.1588997455690009;
     const double t88 = (-t54 * t85 + (t53 * t86 + (t43 * t87 + reduced_moment_x)));
-    const double t89 = 1.0 / t75;
-    const double t90 = t68 * t89;
-    const double t91 = (-t88 * t90 + (t63 * t85 + (t62 * t86 + (-t44 * t87 + reduced_moment_y))));
-    const double t92 = t61 * t89;
-    const double t93 = (-t88 * t92 + (t56 * t85 + (-t55 * t86 + (t45 * t87 + reduced_moment_z))));
-    const double angular_acceleration_z = 1.0 / (-t77 * t77 + t79 * t81) * (t76 * t79) * (-(t77 * t82) * t91 + t93);
-    const double angular_acceleration_y = (-(t77 * t82) * angular_acceleration_z + t76 * t82 * t91);
-    const double angular_acceleration_x = (-t90 * angular_acceleration_y + (-t92 * angular_acceleration_z + t88 * t89));
+    const double t89 = (t63 * t85 + (t62 * t86 + (-t44 * t87 + reduced_moment_y))) * t76;
+    const double t90 = (-t88 * t69 + t89);
+    const double t91 = (t56 * t85 + (-t55 * t86 + (t45 * t87 + reduced_moment_z))) * t76;
+    const double angular_acceleration_z = 1.0 / t82 * (-t77 * t90 + t79 * (-t88 * t80 + t91));
+    const double angular_acceleration_y = 1.0 / t79 * (-t77 * angular_acceleration_z + t90);
+    const double t92 = (-t68 * angular_acceleration_y + (-t61 * angular_acceleration_z + t88));
+    const double angular_acceleration_x = 1.0 / t75 * t92;
     double acceleration_z = (-t64 * angular_acceleration_y + (-t71 * angular_acceleration_x + t85));
     acceleration_z = (-t57 * angular_acceleration_z + acceleration_z);
     double acceleration_y = (-t65 * angular_acceleration_y + (-t72 * angular_acceleration_x + t86));
@@ -724,14 +722,14 @@ void general_body_equations_of_motion(
     acceleration_x = (0.0004091582421192553 * acceleration_y + acceleration_x);
 
     /* Modal accelerations (13 operations: 13 multiply-add) */
-    const double t94 = (0.20489076472014167 * acceleration_x + 0.6109679684298599 * t33);
-    const double t95 = (-0.2973147838811091 * acceleration_z + (0.09340198133197233 * acceleration_y + t94));
-    const double t96 = (-t38 * angular_acceleration_y + (-t35 * angular_acceleration_x + t95));
-    const double t97 = (-t41 * angular_acceleration_z + t96);
-    const double t98 = (0.10947427309831884 * acceleration_x + modal_residual0 * 0.6441576139992576);
-    const double t99 = (-0.060777630855081075 * acceleration_z + (-0.1691550279041342 * acceleration_y + t98));
-    const double t100 = (-t39 * angular_acceleration_y + (-t36 * angular_acceleration_x + t99));
-    const double t101 = (0.2807808078840186 * t97 + (-t42 * angular_acceleration_z + t100));
+    const double t93 = (0.20489076472014167 * acceleration_x + 0.6109679684298599 * t33);
+    const double t94 = (-0.2973147838811091 * acceleration_z + (0.09340198133197233 * acceleration_y + t93));
+    const double t95 = (-t38 * angular_acceleration_y + (-t35 * angular_acceleration_x + t94));
+    const double t96 = (-t41 * angular_acceleration_z + t95);
+    const double t97 = (0.10947427309831884 * acceleration_x + modal_residual0 * 0.6441576139992576);
+    const double t98 = (-0.060777630855081075 * acceleration_z + (-0.1691550279041342 * acceleration_y + t97));
+    const double t99 = (-t39 * angular_acceleration_y + (-t36 * angular_acceleration_x + t98));
+    const double t100 = (0.2807808078840186 * t96 + (-t42 * angular_acceleration_z + t99));
 
     mass_matrix[0] = 6.38059239023797;
     mass_matrix[1] = 0.0;
@@ -811,8 +809,8 @@ void general_body_equations_of_motion(
     acceleration[3] = angular_acceleration_x;
     acceleration[4] = angular_acceleration_y;
     acceleration[5] = angular_acceleration_z;
-    acceleration[6] = t101;
-    acceleration[7] = t97;
+    acceleration[6] = t100;
+    acceleration[7] = t96;
 }
 
 double general_body_kinetic_energy(

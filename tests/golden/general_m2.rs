@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          69 operations: 45 multiply-add, 6 multiply, 18 add
 //   quadratic_velocity   177 operations: 97 multiply-add, 50 multiply, 30 add
-//   forward_dynamics     353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
-//   equations_of_motion  353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
+//   forward_dynamics     350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
+//   equations_of_motion  350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
 //   kinetic_energy       139 operations: 87 multiply-add, 25 multiply, 27 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -294,7 +294,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide.
+    /// Cost: 350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -436,7 +436,7 @@ const _: () = {
         let reduced_moment_y = fma(-t33, t28, fma(t47, t34, moment_y - (t10 + t12)));
         let reduced_moment_z = fma(-t36, t28, fma(t47, t37, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
         let t48 = fma(t38, 0.0004091582421192553, t41);
         let t49 = fma(0.00467217817937168, t48, fma(0.017484523064286796, t38, t44));
         let t50 = fma(-0.0004091582421192553, t40, t43);
@@ -464,24 +464,22 @@ const _: () = {
         let t72 = fma(-t56, t64, fma(t58, t52, fma(t57, t53, t65)) * t71);
         let t73 = fma(-t39, t61, fma(-t32, t33, fma(-coupling_y0, t34, inertia_yy)));
         let t74 = fma(-t63, t64, fma(t58, t59, fma(t57, t60, t73)) * t71);
-        let t75 = fma(t40, t54, fma(-t35, t36, fma(-coupling_z0, t37, inertia_zz)));
-        let t76 = fma(-t56, t56 * 0.15636850806808475, fma(t51, t52, fma(-t50, t53, t75)) * t71);
-        let t77 = 1.0 / t74;
+        let t75 = t56 * 0.15636850806808475;
+        let t76 = fma(t40, t54, fma(-t35, t36, fma(-coupling_z0, t37, inertia_zz)));
+        let t77 = t74 * fma(-t56, t75, fma(t51, t52, fma(-t50, t53, t76)) * t71);
         let t78 = fma(0.0004091582421192553, reduced_force_x, reduced_force_y);
         let t79 = fma(-0.00467217817937168, t78, fma(-0.017484523064286796, reduced_force_x, reduced_force_z));
         let t80 = 0.1605622514848684 * t79;
         let t81 = 0.15818048006224972 * t78;
         let t82 = reduced_force_x * 0.1588997455690009;
         let t83 = fma(-t49, t80, fma(t48, t81, fma(t38, t82, reduced_moment_x)));
-        let t84 = 1.0 / t70;
-        let t85 = t63 * t84;
-        let t86 = fma(t58, t80, fma(t57, t81, fma(-t39, t82, reduced_moment_y)));
-        let t87 = fma(-t83, t85, t86);
-        let t88 = t56 * t84;
-        let t89 = fma(t51, t80, fma(-t50, t81, fma(t40, t82, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / fma(-t72, t72, t74 * t76) * (t71 * t74) * fma(-(t72 * t77), t87, fma(-t83, t88, t89));
-        let angular_acceleration_y = fma(-(t72 * t77), angular_acceleration_z, t71 * t77 * t87);
-        let angular_acceleration_x = fma(-t85, angular_acceleration_y, fma(-t88, angular_acceleration_z, t83 * t84));
+        let t84 = fma(t58, t80, fma(t57, t81, fma(-t39, t82, reduced_moment_y)));
+        let t85 = fma(-t83, t64, t84 * t71);
+        let t86 = fma(t51, t80, fma(-t50, t81, fma(t40, t82, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t72, t72, t77) * fma(-t72, t85, t74 * fma(-t83, t75, t86 * t71));
+        let angular_acceleration_y = 1.0 / t74 * fma(-t72, angular_acceleration_z, t85);
+        let t87 = fma(-t63, angular_acceleration_y, fma(-t56, angular_acceleration_z, t83));
+        let angular_acceleration_x = 1.0 / t70 * t87;
         let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t66, angular_acceleration_x, t80));
         let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
         let acceleration_y = fma(-t60, angular_acceleration_y, fma(-t67, angular_acceleration_x, t81));
@@ -491,18 +489,18 @@ const _: () = {
         let acceleration_x = fma(0.0004091582421192553, acceleration_y, acceleration_x);
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t90 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t28);
-        let t91 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t90));
-        let t92 = fma(-t33, angular_acceleration_y, fma(-t30, angular_acceleration_x, t91));
-        let t93 = fma(-t36, angular_acceleration_z, t92);
-        let t94 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
-        let t95 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t94));
-        let t96 = fma(-t34, angular_acceleration_y, fma(-t31, angular_acceleration_x, t95));
-        let t97 = fma(0.2807808078840186, t93, fma(-t37, angular_acceleration_z, t96));
+        let t88 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t28);
+        let t89 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t88));
+        let t90 = fma(-t33, angular_acceleration_y, fma(-t30, angular_acceleration_x, t89));
+        let t91 = fma(-t36, angular_acceleration_z, t90);
+        let t92 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
+        let t93 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t92));
+        let t94 = fma(-t34, angular_acceleration_y, fma(-t31, angular_acceleration_x, t93));
+        let t95 = fma(0.2807808078840186, t91, fma(-t37, angular_acceleration_z, t94));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t97, t93,
+            angular_acceleration_y, angular_acceleration_z, t95, t91,
         ]
     }
 
@@ -510,7 +508,7 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide.
+    /// Cost: 350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 2],
@@ -660,7 +658,7 @@ const _: () = {
         let reduced_moment_y = fma(-t39, t34, fma(t53, t40, moment_y - t17));
         let reduced_moment_z = fma(-t42, t34, fma(t53, t43, moment_z - t21));
 
-        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
         let t54 = fma(t44, 0.0004091582421192553, t47);
         let t55 = fma(0.00467217817937168, t54, fma(0.017484523064286796, t44, t50));
         let t56 = fma(-0.0004091582421192553, t46, t49);
@@ -688,24 +686,22 @@ const _: () = {
         let t78 = fma(-t62, t70, fma(t64, t58, fma(t63, t59, t71)) * t77);
         let t79 = fma(-t45, t67, fma(-t38, t39, fma(-coupling_y0, t40, inertia_yy)));
         let t80 = fma(-t69, t70, fma(t64, t65, fma(t63, t66, t79)) * t77);
-        let t81 = fma(t46, t60, fma(-t41, t42, fma(-coupling_z0, t43, inertia_zz)));
-        let t82 = fma(-t62, t62 * 0.15636850806808475, fma(t57, t58, fma(-t56, t59, t81)) * t77);
-        let t83 = 1.0 / t80;
+        let t81 = t62 * 0.15636850806808475;
+        let t82 = fma(t46, t60, fma(-t41, t42, fma(-coupling_z0, t43, inertia_zz)));
+        let t83 = t80 * fma(-t62, t81, fma(t57, t58, fma(-t56, t59, t82)) * t77);
         let t84 = fma(0.0004091582421192553, reduced_force_x, reduced_force_y);
         let t85 = fma(-0.00467217817937168, t84, fma(-0.017484523064286796, reduced_force_x, reduced_force_z));
         let t86 = 0.1605622514848684 * t85;
         let t87 = 0.15818048006224972 * t84;
         let t88 = reduced_force_x * 0.1588997455690009;
         let t89 = fma(-t55, t86, fma(t54, t87, fma(t44, t88, reduced_moment_x)));
-        let t90 = 1.0 / t76;
-        let t91 = t69 * t90;
-        let t92 = fma(t64, t86, fma(t63, t87, fma(-t45, t88, reduced_moment_y)));
-        let t93 = fma(-t89, t91, t92);
-        let t94 = t62 * t90;
-        let t95 = fma(t57, t86, fma(-t56, t87, fma(t46, t88, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / fma(-t78, t78, t80 * t82) * (t77 * t80) * fma(-(t78 * t83), t93, fma(-t89, t94, t95));
-        let angular_acceleration_y = fma(-(t78 * t83), angular_acceleration_z, t77 * t83 * t93);
-        let angular_acceleration_x = fma(-t91, angular_acceleration_y, fma(-t94, angular_acceleration_z, t89 * t90));
+        let t90 = fma(t64, t86, fma(t63, t87, fma(-t45, t88, reduced_moment_y)));
+        let t91 = fma(-t89, t70, t90 * t77);
+        let t92 = fma(t57, t86, fma(-t56, t87, fma(t46, t88, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t78, t78, t83) * fma(-t78, t91, t80 * fma(-t89, t81, t92 * t77));
+        let angular_acceleration_y = 1.0 / t80 * fma(-t78, angular_acceleration_z, t91);
+        let t93 = fma(-t69, angular_acceleration_y, fma(-t62, angular_acceleration_z, t89));
+        let angular_acceleration_x = 1.0 / t76 * t93;
         let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t72, angular_acceleration_x, t86));
         let acceleration_z = fma(-t58, angular_acceleration_z, acceleration_z);
         let acceleration_y = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t87));
@@ -715,14 +711,14 @@ const _: () = {
         let acceleration_x = fma(0.0004091582421192553, acceleration_y, acceleration_x);
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t96 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t34);
-        let t97 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t96));
-        let t98 = fma(-t39, angular_acceleration_y, fma(-t36, angular_acceleration_x, t97));
-        let t99 = fma(-t42, angular_acceleration_z, t98);
-        let t100 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
-        let t101 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t100));
-        let t102 = fma(-t40, angular_acceleration_y, fma(-t37, angular_acceleration_x, t101));
-        let t103 = fma(0.2807808078840186, t99, fma(-t43, angular_acceleration_z, t102));
+        let t94 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t34);
+        let t95 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t94));
+        let t96 = fma(-t39, angular_acceleration_y, fma(-t36, angular_acceleration_x, t95));
+        let t97 = fma(-t42, angular_acceleration_z, t96);
+        let t98 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
+        let t99 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t98));
+        let t100 = fma(-t40, angular_acceleration_y, fma(-t37, angular_acceleration_x, t99));
+        let t101 = fma(0.2807808078840186, t97, fma(-t43, angular_acceleration_z, t100));
 
         (
             [
@@ -762,7 +758,7 @@ const _: () = {
             [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t103, t99,
+                angular_acceleration_y, angular_acceleration_z, t101, t97,
             ],
         )
     }

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          67 operations: 41 multiply-add, 6 multiply, 20 add
 //   quadratic_velocity   175 operations: 93 multiply-add, 50 multiply, 32 add
-//   forward_dynamics     337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
-//   equations_of_motion  337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
+//   forward_dynamics     334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide
+//   equations_of_motion  334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide
 //   kinetic_energy       135 operations: 79 multiply-add, 25 multiply, 31 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -326,7 +326,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
+    /// Cost: 334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide.
     #[inline]
     fn forward_dynamics<T: support::Number>(
         q: &[T; 2],
@@ -483,7 +483,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
         let t44 = fma(t33, constant(0.0022078081850939314), fma(constant(0.04434516152818317), coupling_x1, t38));
         let t45 = fma(constant(0.004979184091426888), t33, fma(constant(-0.018906293194520626), coupling_x1, t41));
         let t46 = fma(constant(0.0010169469411906648), t44, t45);
@@ -508,23 +508,21 @@ const _: () = {
         let t65 = t64 * constant(0.07217663054894499);
         let t66 = fma(-t52, t60, fma(t55, t49, fma(t53, t50, fma(-t35, t51, t30))) * t65);
         let t67 = fma(-t59, t60, fma(t55, t56, fma(t53, t57, fma(-t35, t58, t28))) * t65);
-        let t68 = fma(-t52, t52 * constant(0.07217663054894499), fma(t48, t49, fma(-t47, t50, fma(t37, t51, t29))) * t65);
-        let t69 = constant(1.0) / t67;
+        let t68 = t52 * constant(0.07217663054894499);
+        let t69 = fma(-t52, t68, fma(t48, t49, fma(-t47, t50, fma(t37, t51, t29))) * t65);
         let t70 = fma(constant(0.0022078081850939314), reduced_force_x, reduced_force_y);
         let t71 = fma(constant(-0.004979184091426888), reduced_force_x, reduced_force_z);
         let t72 = constant(0.12117363585233806) * fma(constant(-0.0010169469411906648), t70, t71);
         let t73 = constant(0.1202776620045739) * t70;
         let t74 = reduced_force_x * constant(0.12170479630791853);
         let t75 = fma(-t46, t72, fma(t44, t73, fma(t33, t74, reduced_moment_x)));
-        let t76 = constant(1.0) / t64;
-        let t77 = t59 * t76;
-        let t78 = fma(t55, t72, fma(t53, t73, fma(-t35, t74, reduced_moment_y)));
-        let t79 = fma(-t75, t77, t78);
-        let t80 = t52 * t76;
-        let t81 = fma(t48, t72, fma(-t47, t73, fma(t37, t74, reduced_moment_z)));
-        let angular_acceleration_z = constant(1.0) / fma(-t66, t66, t67 * t68) * (t65 * t67) * fma(-(t66 * t69), t79, fma(-t75, t80, t81));
-        let angular_acceleration_y = fma(-(t66 * t69), angular_acceleration_z, t65 * t69 * t79);
-        let angular_acceleration_x = fma(-t77, angular_acceleration_y, fma(-t80, angular_acceleration_z, t75 * t76));
+        let t76 = fma(t55, t72, fma(t53, t73, fma(-t35, t74, reduced_moment_y)));
+        let t77 = fma(-t75, t60, t76 * t65);
+        let t78 = fma(t48, t72, fma(-t47, t73, fma(t37, t74, reduced_moment_z)));
+        let angular_acceleration_z = constant(1.0) / fma(-t66, t66, t67 * t69) * fma(-t66, t77, t67 * fma(-t75, t68, t78 * t65));
+        let angular_acceleration_y = constant(1.0) / t67 * fma(-t66, angular_acceleration_z, t77);
+        let t79 = fma(-t59, angular_acceleration_y, fma(-t52, angular_acceleration_z, t75));
+        let angular_acceleration_x = constant(1.0) / t64 * t79;
         let acceleration_z = fma(-t56, angular_acceleration_y, fma(-t61, angular_acceleration_x, t72));
         let acceleration_z = fma(-t49, angular_acceleration_z, acceleration_z);
         let acceleration_y = fma(-t57, angular_acceleration_y, fma(-t62, angular_acceleration_x, t73));
@@ -534,18 +532,18 @@ const _: () = {
         let acceleration_x = fma(constant(0.0022078081850939314), acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t82 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
-        let t83 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t82));
-        let t84 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t83));
-        let t85 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
-        let t86 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t85));
-        let t87 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t86));
+        let t80 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
+        let t81 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t80));
+        let t82 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t81));
+        let t83 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
+        let t84 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t83));
+        let t85 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t84));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            fma(-coupling_z0, angular_acceleration_z, t84),
-            fma(-coupling_z1, angular_acceleration_z, t87),
+            fma(-coupling_z0, angular_acceleration_z, t82),
+            fma(-coupling_z1, angular_acceleration_z, t85),
         ]
     }
 
@@ -553,7 +551,7 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
+    /// Cost: 334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide.
     #[inline]
     fn equations_of_motion<T: support::Number>(
         q: &[T; 2],
@@ -716,7 +714,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
-        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
+        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
         let t50 = fma(t39, constant(0.0022078081850939314), fma(constant(0.04434516152818317), coupling_x1, t44));
         let t51 = fma(constant(0.004979184091426888), t39, fma(constant(-0.018906293194520626), coupling_x1, t47));
         let t52 = fma(constant(0.0010169469411906648), t50, t51);
@@ -741,23 +739,21 @@ const _: () = {
         let t71 = t70 * constant(0.07217663054894499);
         let t72 = fma(-t58, t66, fma(t61, t55, fma(t59, t56, fma(-t41, t57, t36))) * t71);
         let t73 = fma(-t65, t66, fma(t61, t62, fma(t59, t63, fma(-t41, t64, t34))) * t71);
-        let t74 = fma(-t58, t58 * constant(0.07217663054894499), fma(t54, t55, fma(-t53, t56, fma(t43, t57, t35))) * t71);
-        let t75 = constant(1.0) / t73;
+        let t74 = t58 * constant(0.07217663054894499);
+        let t75 = fma(-t58, t74, fma(t54, t55, fma(-t53, t56, fma(t43, t57, t35))) * t71);
         let t76 = fma(constant(0.0022078081850939314), reduced_force_x, reduced_force_y);
         let t77 = fma(constant(-0.004979184091426888), reduced_force_x, reduced_force_z);
         let t78 = constant(0.12117363585233806) * fma(constant(-0.0010169469411906648), t76, t77);
         let t79 = constant(0.1202776620045739) * t76;
         let t80 = reduced_force_x * constant(0.12170479630791853);
         let t81 = fma(-t52, t78, fma(t50, t79, fma(t39, t80, reduced_moment_x)));
-        let t82 = constant(1.0) / t70;
-        let t83 = t65 * t82;
-        let t84 = fma(t61, t78, fma(t59, t79, fma(-t41, t80, reduced_moment_y)));
-        let t85 = fma(-t81, t83, t84);
-        let t86 = t58 * t82;
-        let t87 = fma(t54, t78, fma(-t53, t79, fma(t43, t80, reduced_moment_z)));
-        let angular_acceleration_z = constant(1.0) / fma(-t72, t72, t73 * t74) * (t71 * t73) * fma(-(t72 * t75), t85, fma(-t81, t86, t87));
-        let angular_acceleration_y = fma(-(t72 * t75), angular_acceleration_z, t71 * t75 * t85);
-        let angular_acceleration_x = fma(-t83, angular_acceleration_y, fma(-t86, angular_acceleration_z, t81 * t82));
+        let t82 = fma(t61, t78, fma(t59, t79, fma(-t41, t80, reduced_moment_y)));
+        let t83 = fma(-t81, t66, t82 * t71);
+        let t84 = fma(t54, t78, fma(-t53, t79, fma(t43, t80, reduced_moment_z)));
+        let angular_acceleration_z = constant(1.0) / fma(-t72, t72, t73 * t75) * fma(-t72, t83, t73 * fma(-t81, t74, t84 * t71));
+        let angular_acceleration_y = constant(1.0) / t73 * fma(-t72, angular_acceleration_z, t83);
+        let t85 = fma(-t65, angular_acceleration_y, fma(-t58, angular_acceleration_z, t81));
+        let angular_acceleration_x = constant(1.0) / t70 * t85;
         let acceleration_z = fma(-t62, angular_acceleration_y, fma(-t67, angular_acceleration_x, t78));
         let acceleration_z = fma(-t55, angular_acceleration_z, acceleration_z);
         let acceleration_y = fma(-t63, angular_acceleration_y, fma(-t68, angular_acceleration_x, t79));
@@ -767,12 +763,12 @@ const _: () = {
         let acceleration_x = fma(constant(0.0022078081850939314), acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t88 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
-        let t89 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t88));
-        let t90 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t89));
-        let t91 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
-        let t92 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t91));
-        let t93 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t92));
+        let t86 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
+        let t87 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t86));
+        let t88 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t87));
+        let t89 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
+        let t90 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t89));
+        let t91 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t90));
 
         (
             [
@@ -817,8 +813,8 @@ const _: () = {
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
                 angular_acceleration_y, angular_acceleration_z,
-                fma(-coupling_z0, angular_acceleration_z, t90),
-                fma(-coupling_z1, angular_acceleration_z, t93),
+                fma(-coupling_z0, angular_acceleration_z, t88),
+                fma(-coupling_z1, angular_acceleration_z, t91),
             ],
         )
     }

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          120 operations: 87 multiply-add, 6 multiply, 27 add
 //   quadratic_velocity   261 operations: 168 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide
-//   equations_of_motion  477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide
+//   forward_dynamics     474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide
+//   equations_of_motion  474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide
 //   kinetic_energy       203 operations: 136 multiply-add, 27 multiply, 40 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      27 operations: 24 multiply-add, 3 multiply
@@ -397,7 +397,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide.
+    /// Cost: 474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -581,7 +581,7 @@ const _: () = {
         let t52 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
         let reduced_moment_z = moment_z - (t13 + t15) - fma(coupling_z2, modal_residual2, t52);
 
-        // Rigid-body accelerations (93 operations: 61 multiply-add, 28 multiply, 1 add, 3 divide)
+        // Rigid-body accelerations (90 operations: 61 multiply-add, 25 multiply, 1 add, 3 divide)
         let t53 = fma(t35, 0.028180006971925246, first_moment_z + fma(-0.42481972953070996, coupling_x2, t41));
         let t54 = fma(-0.0021901949832171925, t35, first_moment_y - fma(0.02522646067793359, coupling_x2, t44));
         let t55 = fma(-0.015330768093777324, t53, t54);
@@ -610,46 +610,43 @@ const _: () = {
         let t78 = fma(-t62, t70, t72 * t77);
         let t79 = fma(t65, t66, fma(t63, t67, fma(t71, t68, inertia_yy - t29)));
         let t80 = fma(-t69, t70, t79 * t77);
-        let t81 = fma(t58, t59, fma(-t56, t60, fma(t40, t61, inertia_zz - t30)));
-        let t82 = fma(-t78, t78, t80 * fma(-t62, t62 * 0.09904722110632364, t81 * t77));
-        let t83 = 1.0 / t80;
-        let t84 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
-        let t85 = fma(0.015330768093777324, t84, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
-        let t86 = 0.13620443776353558 * t85;
-        let t87 = 0.15791229759220463 * t84;
-        let t88 = reduced_force_x * 0.13828439976734327;
-        let t89 = fma(-t55, t86, fma(t53, t87, fma(t35, t88, reduced_moment_x)));
-        let t90 = 1.0 / t76;
-        let t91 = t69 * t90;
-        let t92 = fma(t65, t86, fma(t63, t87, fma(t71, t88, reduced_moment_y)));
-        let t93 = fma(-t89, t91, t92);
-        let t94 = t62 * t90;
-        let t95 = fma(t58, t86, fma(-t56, t87, fma(t40, t88, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / t82 * (t77 * t80) * fma(-(t78 * t83), t93, fma(-t89, t94, t95));
-        let angular_acceleration_y = fma(-(t78 * t83), angular_acceleration_z, t77 * t83 * t93);
-        let angular_acceleration_x = fma(-t91, angular_acceleration_y, fma(-t94, angular_acceleration_z, t89 * t90));
-        let acceleration_z = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t86));
+        let t81 = t62 * 0.09904722110632364;
+        let t82 = fma(t58, t59, fma(-t56, t60, fma(t40, t61, inertia_zz - t30)));
+        let t83 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
+        let t84 = fma(0.015330768093777324, t83, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
+        let t85 = 0.13620443776353558 * t84;
+        let t86 = 0.15791229759220463 * t83;
+        let t87 = reduced_force_x * 0.13828439976734327;
+        let t88 = fma(-t55, t85, fma(t53, t86, fma(t35, t87, reduced_moment_x)));
+        let t89 = fma(t65, t85, fma(t63, t86, fma(t71, t87, reduced_moment_y)));
+        let t90 = fma(-t88, t70, t89 * t77);
+        let t91 = fma(t58, t85, fma(-t56, t86, fma(t40, t87, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t78, t78, t80 * fma(-t62, t81, t82 * t77)) * fma(-t78, t90, t80 * fma(-t88, t81, t91 * t77));
+        let angular_acceleration_y = 1.0 / t80 * fma(-t78, angular_acceleration_z, t90);
+        let t92 = fma(-t69, angular_acceleration_y, fma(-t62, angular_acceleration_z, t88));
+        let angular_acceleration_x = 1.0 / t76 * t92;
+        let acceleration_z = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t85));
         let acceleration_z = fma(-t59, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t87));
+        let acceleration_y = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t86));
         let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t60, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t68, angular_acceleration_y, fma(-t75, angular_acceleration_x, t88));
+        let acceleration_x = fma(-t68, angular_acceleration_y, fma(-t75, angular_acceleration_x, t87));
         let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t61, angular_acceleration_z, acceleration_x));
         let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
-        let t96 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
-        let t97 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t96));
-        let t98 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t97));
-        let t99 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
-        let t100 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t99));
-        let t101 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t100));
-        let t102 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
-        let t103 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t102));
-        let t104 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t103));
+        let t93 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
+        let t94 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t93));
+        let t95 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t94));
+        let t96 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
+        let t97 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t96));
+        let t98 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t97));
+        let t99 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
+        let t100 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t99));
+        let t101 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t100));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t98, t101, t104,
+            angular_acceleration_y, angular_acceleration_z, t95, t98, t101,
         ]
     }
 
@@ -657,7 +654,7 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide.
+    /// Cost: 474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f64; 3],
@@ -852,7 +849,7 @@ const _: () = {
         let t58 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
         let reduced_moment_z = moment_z - t21 - fma(coupling_z2, modal_residual2, t58);
 
-        // Rigid-body accelerations (93 operations: 61 multiply-add, 28 multiply, 1 add, 3 divide)
+        // Rigid-body accelerations (90 operations: 61 multiply-add, 25 multiply, 1 add, 3 divide)
         let t59 = fma(t41, 0.028180006971925246, first_moment_z + fma(-0.42481972953070996, coupling_x2, t47));
         let t60 = fma(-0.0021901949832171925, t41, first_moment_y - fma(0.02522646067793359, coupling_x2, t50));
         let t61 = fma(-0.015330768093777324, t59, t60);
@@ -881,42 +878,39 @@ const _: () = {
         let t84 = fma(-t68, t76, t78 * t83);
         let t85 = fma(t71, t72, fma(t69, t73, fma(t77, t74, inertia_yy - t35)));
         let t86 = fma(-t75, t76, t85 * t83);
-        let t87 = fma(t64, t65, fma(-t62, t66, fma(t46, t67, inertia_zz - t36)));
-        let t88 = fma(-t84, t84, t86 * fma(-t68, t68 * 0.09904722110632364, t87 * t83));
-        let t89 = 1.0 / t86;
-        let t90 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
-        let t91 = fma(0.015330768093777324, t90, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
-        let t92 = 0.13620443776353558 * t91;
-        let t93 = 0.15791229759220463 * t90;
-        let t94 = reduced_force_x * 0.13828439976734327;
-        let t95 = fma(-t61, t92, fma(t59, t93, fma(t41, t94, reduced_moment_x)));
-        let t96 = 1.0 / t82;
-        let t97 = t75 * t96;
-        let t98 = fma(t71, t92, fma(t69, t93, fma(t77, t94, reduced_moment_y)));
-        let t99 = fma(-t95, t97, t98);
-        let t100 = t68 * t96;
-        let t101 = fma(t64, t92, fma(-t62, t93, fma(t46, t94, reduced_moment_z)));
-        let angular_acceleration_z = 1.0 / t88 * (t83 * t86) * fma(-(t84 * t89), t99, fma(-t95, t100, t101));
-        let angular_acceleration_y = fma(-(t84 * t89), angular_acceleration_z, t83 * t89 * t99);
-        let angular_acceleration_x = fma(-t97, angular_acceleration_y, fma(-t100, angular_acceleration_z, t95 * t96));
-        let acceleration_z = fma(-t72, angular_acceleration_y, fma(-t79, angular_acceleration_x, t92));
+        let t87 = t68 * 0.09904722110632364;
+        let t88 = fma(t64, t65, fma(-t62, t66, fma(t46, t67, inertia_zz - t36)));
+        let t89 = fma(0.028180006971925246, reduced_force_x, reduced_force_y);
+        let t90 = fma(0.015330768093777324, t89, fma(0.0021901949832171925, reduced_force_x, reduced_force_z));
+        let t91 = 0.13620443776353558 * t90;
+        let t92 = 0.15791229759220463 * t89;
+        let t93 = reduced_force_x * 0.13828439976734327;
+        let t94 = fma(-t61, t91, fma(t59, t92, fma(t41, t93, reduced_moment_x)));
+        let t95 = fma(t71, t91, fma(t69, t92, fma(t77, t93, reduced_moment_y)));
+        let t96 = fma(-t94, t76, t95 * t83);
+        let t97 = fma(t64, t91, fma(-t62, t92, fma(t46, t93, reduced_moment_z)));
+        let angular_acceleration_z = 1.0 / fma(-t84, t84, t86 * fma(-t68, t87, t88 * t83)) * fma(-t84, t96, t86 * fma(-t94, t87, t97 * t83));
+        let angular_acceleration_y = 1.0 / t86 * fma(-t84, angular_acceleration_z, t96);
+        let t98 = fma(-t75, angular_acceleration_y, fma(-t68, angular_acceleration_z, t94));
+        let angular_acceleration_x = 1.0 / t82 * t98;
+        let acceleration_z = fma(-t72, angular_acceleration_y, fma(-t79, angular_acceleration_x, t91));
         let acceleration_z = fma(-t65, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t73, angular_acceleration_y, fma(-t80, angular_acceleration_x, t93));
+        let acceleration_y = fma(-t73, angular_acceleration_y, fma(-t80, angular_acceleration_x, t92));
         let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t66, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t74, angular_acceleration_y, fma(-t81, angular_acceleration_x, t94));
+        let acceleration_x = fma(-t74, angular_acceleration_y, fma(-t81, angular_acceleration_x, t93));
         let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t67, angular_acceleration_z, acceleration_x));
         let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
-        let t102 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
-        let t103 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t102));
-        let t104 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t103));
-        let t105 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
-        let t106 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t105));
-        let t107 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t106));
-        let t108 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
-        let t109 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t108));
-        let t110 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t109));
+        let t99 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
+        let t100 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t99));
+        let t101 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t100));
+        let t102 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
+        let t103 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t102));
+        let t104 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t103));
+        let t105 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
+        let t106 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t105));
+        let t107 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t106));
 
         (
             [
@@ -960,7 +954,7 @@ const _: () = {
             [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1, modal_quadratic2],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t104, t107, t110,
+                angular_acceleration_y, angular_acceleration_z, t101, t104, t107,
             ],
         )
     }

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          0 operations
 //   quadratic_velocity   27 operations: 15 multiply-add, 12 multiply
-//   forward_dynamics     57 operations: 33 multiply-add, 18 multiply, 6 add
-//   equations_of_motion  57 operations: 33 multiply-add, 18 multiply, 6 add
+//   forward_dynamics     60 operations: 33 multiply-add, 21 multiply, 6 add
+//   equations_of_motion  60 operations: 33 multiply-add, 21 multiply, 6 add
 //   kinetic_energy       35 operations: 19 multiply-add, 12 multiply, 4 add
 //   elastic_energy       0 operations
 //   linear_momentum      9 operations: 6 multiply-add, 3 multiply
@@ -154,7 +154,7 @@ const _: () = {
     ///
     /// Shape: 6: translation 3, rotation 3, modes 0. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 57 operations: 33 multiply-add, 18 multiply, 6 add.
+    /// Cost: 60 operations: 33 multiply-add, 21 multiply, 6 add.
     #[inline]
     fn forward_dynamics(_q: &[f64; 0], omega: &[f64; 3], _q_dot: &[f64; 0], force: &[f64; 6]) -> [f64; 6] {
         let [omega_x, omega_y, omega_z] = *omega;
@@ -184,19 +184,19 @@ const _: () = {
         let reduced_moment_y = moment_y - t5;
         let reduced_moment_z = moment_z - t6;
 
-        // Rigid-body accelerations (24 operations: 18 multiply-add, 6 multiply)
+        // Rigid-body accelerations (27 operations: 18 multiply-add, 9 multiply)
         let t7 = reduced_force_z * 0.21048663088925407;
         let t8 = reduced_force_y * 0.21048663088925407;
         let t9 = fma(0.3842708618960716, t7, fma(0.06447691727380375, t8, reduced_moment_x));
         let t10 = reduced_force_x * 0.21048663088925407;
         let t11 = fma(0.26448998962819253, t7, fma(-0.06447691727380375, t10, reduced_moment_y));
-        let t12 = fma(0.04988807123705656, t9, t11);
+        let t12 = fma(0.00603422284217509, t9, t11 * 0.12095522421586234);
         let t13 = fma(-0.26448998962819253, t8, fma(-0.3842708618960716, t10, reduced_moment_z));
-        let t14 = fma(-0.06951899730359606, t12, fma(0.3724166002823658, t9, t13));
-        let angular_acceleration_z = 0.666031345825049 * t14;
-        let angular_acceleration_y = fma(-0.06951899730359606, angular_acceleration_z, 0.695149792350942 * t12);
-        let angular_acceleration_x = fma(0.3724166002823658, angular_acceleration_z, t9 * 2.3439716312463332);
-        let angular_acceleration_x = fma(0.04988807123705656, angular_acceleration_y, angular_acceleration_x);
+        let t14 = 0.17399879212622835 * fma(0.04504573338886274, t9, t13 * 0.12095522421586234);
+        let angular_acceleration_z = 31.64636295717688 * fma(-0.01209622156065224, t12, t14);
+        let angular_acceleration_y = 5.747166332479738 * fma(-0.01209622156065224, angular_acceleration_z, t12);
+        let t15 = fma(0.021283564430568704, angular_acceleration_y, fma(0.15888272507988715, angular_acceleration_z, t9));
+        let angular_acceleration_x = 2.3439716312463332 * t15;
         let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t10));
         let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t8));
         let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t7));
@@ -211,7 +211,7 @@ const _: () = {
     ///
     /// Shape: 6 x 6, 6, 6. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 57 operations: 33 multiply-add, 18 multiply, 6 add.
+    /// Cost: 60 operations: 33 multiply-add, 21 multiply, 6 add.
     #[inline]
     fn equations_of_motion(
         _q: &[f64; 0],
@@ -249,19 +249,19 @@ const _: () = {
         let reduced_moment_y = moment_y - t8;
         let reduced_moment_z = moment_z - t9;
 
-        // Rigid-body accelerations (24 operations: 18 multiply-add, 6 multiply)
+        // Rigid-body accelerations (27 operations: 18 multiply-add, 9 multiply)
         let t10 = reduced_force_z * 0.21048663088925407;
         let t11 = reduced_force_y * 0.21048663088925407;
         let t12 = fma(0.3842708618960716, t10, fma(0.06447691727380375, t11, reduced_moment_x));
         let t13 = reduced_force_x * 0.21048663088925407;
         let t14 = fma(0.26448998962819253, t10, fma(-0.06447691727380375, t13, reduced_moment_y));
-        let t15 = fma(0.04988807123705656, t12, t14);
+        let t15 = fma(0.00603422284217509, t12, t14 * 0.12095522421586234);
         let t16 = fma(-0.26448998962819253, t11, fma(-0.3842708618960716, t13, reduced_moment_z));
-        let t17 = fma(-0.06951899730359606, t15, fma(0.3724166002823658, t12, t16));
-        let angular_acceleration_z = 0.666031345825049 * t17;
-        let angular_acceleration_y = fma(-0.06951899730359606, angular_acceleration_z, 0.695149792350942 * t15);
-        let angular_acceleration_x = fma(0.3724166002823658, angular_acceleration_z, t12 * 2.3439716312463332);
-        let angular_acceleration_x = fma(0.04988807123705656, angular_acceleration_y, angular_acceleration_x);
+        let t17 = 0.17399879212622835 * fma(0.04504573338886274, t12, t16 * 0.12095522421586234);
+        let angular_acceleration_z = 31.64636295717688 * fma(-0.01209622156065224, t15, t17);
+        let angular_acceleration_y = 5.747166332479738 * fma(-0.01209622156065224, angular_acceleration_z, t15);
+        let t18 = fma(0.021283564430568704, angular_acceleration_y, fma(0.15888272507988715, angular_acceleration_z, t12));
+        let angular_acceleration_x = 2.3439716312463332 * t18;
         let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t13));
         let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t11));
         let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t10));

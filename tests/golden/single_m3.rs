@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          207 operations: 93 multiply, 114 add
 //   quadratic_velocity   429 operations: 222 multiply, 207 add
-//   forward_dynamics     774 operations: 404 multiply, 367 add, 3 divide
-//   equations_of_motion  774 operations: 404 multiply, 367 add, 3 divide
+//   forward_dynamics     771 operations: 401 multiply, 367 add, 3 divide
+//   equations_of_motion  771 operations: 401 multiply, 367 add, 3 divide
 //   kinetic_energy       339 operations: 163 multiply, 176 add
 //   elastic_energy       21 operations: 13 multiply, 8 add
 //   linear_momentum      51 operations: 27 multiply, 24 add
@@ -325,7 +325,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 774 operations: 404 multiply, 367 add, 3 divide.
+    /// Cost: 771 operations: 401 multiply, 367 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f32; 3], omega: &[f32; 3], q_dot: &[f32; 3], force: &[f32; 9]) -> [f32; 9] {
         let [q0, q1, q2] = *q;
@@ -489,7 +489,7 @@ const _: () = {
         let t50 = coupling_z0 * modal_residual0 + coupling_z1 * modal_residual1;
         let reduced_moment_z = moment_z - t15 - (t50 + coupling_z2 * modal_residual2);
 
-        // Rigid-body accelerations (153 operations: 89 multiply, 61 add, 3 divide)
+        // Rigid-body accelerations (150 operations: 86 multiply, 61 add, 3 divide)
         let t51 = t36 * 0.10775026;
         let t52 = t40 + t36 * -0.0037427307;
         let t53 = t52 * -0.10202844;
@@ -511,46 +511,43 @@ const _: () = {
         let t69 = t44 + t38 * -0.046799924 + 0.036850277 * t67;
         let t70 = t69 * -0.11163478;
         let t71 = inertia_xz - t32 + t34 * t66 + t57 * t68 - t59 * t70;
-        let t72 = (inertia_zz - t30 + t38 * t66 - t67 * t68 + t69 * t70) * t62 - t71 * (t71 * 0.060257938);
-        let t73 = (inertia_yz - t31 - t36 * t66 + t52 * t68 + t54 * t70) * t62 - t71 * t64;
-        let t74 = reduced_force_x * 0.10775026;
-        let t75 = reduced_force_y - reduced_force_x * -0.0037427307;
-        let t76 = 0.10202844 * t75;
-        let t77 = reduced_force_z - reduced_force_x * 0.046799924 - 0.036850277 * t75;
-        let t78 = 0.11163478 * t77;
-        let t79 = reduced_moment_x + t34 * t74 + t57 * t76 - t59 * t78;
-        let t80 = 1.0 / t61;
-        let t81 = t71 * t80;
-        let t82 = reduced_moment_z + t38 * t74 - t67 * t76 + t69 * t78 - t79 * t81;
-        let t83 = 1.0 / t65;
-        let t84 = t73 * t83;
-        let t85 = t63 * t80;
-        let t86 = reduced_moment_y - t36 * t74 + t52 * t76 + t54 * t78 - t79 * t85;
-        let angular_acceleration_z = 1.0 / (t65 * t72 - t73 * t73) * (t62 * t65) * (t82 - t84 * t86);
-        let angular_acceleration_y = t62 * t83 * t86 - t84 * angular_acceleration_z;
-        let angular_acceleration_x = t79 * t80 - t81 * angular_acceleration_z - t85 * angular_acceleration_y;
-        let acceleration_z = t78 - t60 * angular_acceleration_x - t55 * angular_acceleration_y;
+        let t72 = t71 * 0.060257938;
+        let t73 = (inertia_zz - t30 + t38 * t66 - t67 * t68 + t69 * t70) * t62 - t71 * t72;
+        let t74 = (inertia_yz - t31 - t36 * t66 + t52 * t68 + t54 * t70) * t62 - t71 * t64;
+        let t75 = reduced_force_x * 0.10775026;
+        let t76 = reduced_force_y - reduced_force_x * -0.0037427307;
+        let t77 = 0.10202844 * t76;
+        let t78 = reduced_force_z - reduced_force_x * 0.046799924 - 0.036850277 * t76;
+        let t79 = 0.11163478 * t78;
+        let t80 = reduced_moment_x + t34 * t75 + t57 * t77 - t59 * t79;
+        let t81 = (reduced_moment_z + t38 * t75 - t67 * t77 + t69 * t79) * t62 - t80 * t72;
+        let t82 = (reduced_moment_y - t36 * t75 + t52 * t77 + t54 * t79) * t62 - t80 * t64;
+        let angular_acceleration_z = 1.0 / (t65 * t73 - t74 * t74) * (t65 * t81 - t74 * t82);
+        let angular_acceleration_y = 1.0 / t65 * (t82 - t74 * angular_acceleration_z);
+        let t83 = t80 - t71 * angular_acceleration_z - t63 * angular_acceleration_y;
+        let angular_acceleration_x = 1.0 / t61 * t83;
+        let acceleration_z = t79 - t60 * angular_acceleration_x - t55 * angular_acceleration_y;
         let acceleration_z = acceleration_z - t70 * angular_acceleration_z;
-        let acceleration_y = t76 - t58 * angular_acceleration_x - t53 * angular_acceleration_y;
+        let acceleration_y = t77 - t58 * angular_acceleration_x - t53 * angular_acceleration_y;
         let acceleration_y = acceleration_y - t68 * angular_acceleration_z - 0.036850277 * acceleration_z;
-        let acceleration_x = t74 - t56 * angular_acceleration_x - t51 * angular_acceleration_y;
+        let acceleration_x = t75 - t56 * angular_acceleration_x - t51 * angular_acceleration_y;
         let acceleration_x = acceleration_x - t66 * angular_acceleration_z - 0.046799924 * acceleration_z;
         let acceleration_x = acceleration_x - -0.0037427307 * acceleration_y;
 
         // Modal accelerations (36 operations: 18 multiply, 18 add)
-        let t87 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
-        let t88 = t87 - -0.93608946 * acceleration_z - coupling_x0 * angular_acceleration_x;
-        let t89 = t88 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
-        let t90 = modal_residual1 - -0.4649262 * acceleration_x - 0.0741744 * acceleration_y;
-        let t91 = t90 - -0.5361588 * acceleration_z - coupling_x1 * angular_acceleration_x;
-        let t92 = t91 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
-        let t93 = modal_residual2 - 0.42337617 * acceleration_x - -0.45901504 * acceleration_y;
-        let t94 = t93 - -0.075348966 * acceleration_z - coupling_x2 * angular_acceleration_x;
-        let t95 = t94 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
+        let t84 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
+        let t85 = t84 - -0.93608946 * acceleration_z - coupling_x0 * angular_acceleration_x;
+        let t86 = t85 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
+        let t87 = modal_residual1 - -0.4649262 * acceleration_x - 0.0741744 * acceleration_y;
+        let t88 = t87 - -0.5361588 * acceleration_z - coupling_x1 * angular_acceleration_x;
+        let t89 = t88 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
+        let t90 = modal_residual2 - 0.42337617 * acceleration_x - -0.45901504 * acceleration_y;
+        let t91 = t90 - -0.075348966 * acceleration_z - coupling_x2 * angular_acceleration_x;
+        let t92 = t91 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t89, t92, t95,
+            angular_acceleration_y, angular_acceleration_z, t86, t89, t92,
         ]
     }
 
@@ -558,7 +555,7 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 774 operations: 404 multiply, 367 add, 3 divide.
+    /// Cost: 771 operations: 401 multiply, 367 add, 3 divide.
     #[inline]
     fn equations_of_motion(
         q: &[f32; 3],
@@ -730,7 +727,7 @@ const _: () = {
         let t53 = coupling_z0 * modal_residual0 + coupling_z1 * modal_residual1;
         let reduced_moment_z = moment_z - t18 - (t53 + coupling_z2 * modal_residual2);
 
-        // Rigid-body accelerations (153 operations: 89 multiply, 61 add, 3 divide)
+        // Rigid-body accelerations (150 operations: 86 multiply, 61 add, 3 divide)
         let t54 = t39 * 0.10775026;
         let t55 = t43 + t39 * -0.0037427307;
         let t56 = t55 * -0.10202844;
@@ -752,42 +749,39 @@ const _: () = {
         let t72 = t47 + t41 * -0.046799924 + 0.036850277 * t70;
         let t73 = t72 * -0.11163478;
         let t74 = inertia_xz - t35 + t37 * t69 + t60 * t71 - t62 * t73;
-        let t75 = (inertia_zz - t33 + t41 * t69 - t70 * t71 + t72 * t73) * t65 - t74 * (t74 * 0.060257938);
-        let t76 = (inertia_yz - t34 - t39 * t69 + t55 * t71 + t57 * t73) * t65 - t74 * t67;
-        let t77 = reduced_force_x * 0.10775026;
-        let t78 = reduced_force_y - reduced_force_x * -0.0037427307;
-        let t79 = 0.10202844 * t78;
-        let t80 = reduced_force_z - reduced_force_x * 0.046799924 - 0.036850277 * t78;
-        let t81 = 0.11163478 * t80;
-        let t82 = reduced_moment_x + t37 * t77 + t60 * t79 - t62 * t81;
-        let t83 = 1.0 / t64;
-        let t84 = t74 * t83;
-        let t85 = reduced_moment_z + t41 * t77 - t70 * t79 + t72 * t81 - t82 * t84;
-        let t86 = 1.0 / t68;
-        let t87 = t76 * t86;
-        let t88 = t66 * t83;
-        let t89 = reduced_moment_y - t39 * t77 + t55 * t79 + t57 * t81 - t82 * t88;
-        let angular_acceleration_z = 1.0 / (t68 * t75 - t76 * t76) * (t65 * t68) * (t85 - t87 * t89);
-        let angular_acceleration_y = t65 * t86 * t89 - t87 * angular_acceleration_z;
-        let angular_acceleration_x = t82 * t83 - t84 * angular_acceleration_z - t88 * angular_acceleration_y;
-        let acceleration_z = t81 - t63 * angular_acceleration_x - t58 * angular_acceleration_y;
+        let t75 = t74 * 0.060257938;
+        let t76 = (inertia_zz - t33 + t41 * t69 - t70 * t71 + t72 * t73) * t65 - t74 * t75;
+        let t77 = (inertia_yz - t34 - t39 * t69 + t55 * t71 + t57 * t73) * t65 - t74 * t67;
+        let t78 = reduced_force_x * 0.10775026;
+        let t79 = reduced_force_y - reduced_force_x * -0.0037427307;
+        let t80 = 0.10202844 * t79;
+        let t81 = reduced_force_z - reduced_force_x * 0.046799924 - 0.036850277 * t79;
+        let t82 = 0.11163478 * t81;
+        let t83 = reduced_moment_x + t37 * t78 + t60 * t80 - t62 * t82;
+        let t84 = (reduced_moment_z + t41 * t78 - t70 * t80 + t72 * t82) * t65 - t83 * t75;
+        let t85 = (reduced_moment_y - t39 * t78 + t55 * t80 + t57 * t82) * t65 - t83 * t67;
+        let angular_acceleration_z = 1.0 / (t68 * t76 - t77 * t77) * (t68 * t84 - t77 * t85);
+        let angular_acceleration_y = 1.0 / t68 * (t85 - t77 * angular_acceleration_z);
+        let t86 = t83 - t74 * angular_acceleration_z - t66 * angular_acceleration_y;
+        let angular_acceleration_x = 1.0 / t64 * t86;
+        let acceleration_z = t82 - t63 * angular_acceleration_x - t58 * angular_acceleration_y;
         let acceleration_z = acceleration_z - t73 * angular_acceleration_z;
-        let acceleration_y = t79 - t61 * angular_acceleration_x - t56 * angular_acceleration_y;
+        let acceleration_y = t80 - t61 * angular_acceleration_x - t56 * angular_acceleration_y;
         let acceleration_y = acceleration_y - t71 * angular_acceleration_z - 0.036850277 * acceleration_z;
-        let acceleration_x = t77 - t59 * angular_acceleration_x - t54 * angular_acceleration_y;
+        let acceleration_x = t78 - t59 * angular_acceleration_x - t54 * angular_acceleration_y;
         let acceleration_x = acceleration_x - t69 * angular_acceleration_z - 0.046799924 * acceleration_z;
         let acceleration_x = acceleration_x - -0.0037427307 * acceleration_y;
 
         // Modal accelerations (36 operations: 18 multiply, 18 add)
-        let t90 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
-        let t91 = t90 - -0.93608946 * acceleration_z - coupling_x0 * angular_acceleration_x;
-        let t92 = t91 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
-        let t93 = modal_residual1 - -0.4649262 * acceleration_x - 0.0741744 * acceleration_y;
-        let t94 = t93 - -0.5361588 * acceleration_z - coupling_x1 * angular_acceleration_x;
-        let t95 = t94 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
-        let t96 = modal_residual2 - 0.42337617 * acceleration_x - -0.45901504 * acceleration_y;
-        let t97 = t96 - -0.075348966 * acceleration_z - coupling_x2 * angular_acceleration_x;
-        let t98 = t97 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
+        let t87 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
+        let t88 = t87 - -0.93608946 * acceleration_z - coupling_x0 * angular_acceleration_x;
+        let t89 = t88 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
+        let t90 = modal_residual1 - -0.4649262 * acceleration_x - 0.0741744 * acceleration_y;
+        let t91 = t90 - -0.5361588 * acceleration_z - coupling_x1 * angular_acceleration_x;
+        let t92 = t91 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
+        let t93 = modal_residual2 - 0.42337617 * acceleration_x - -0.45901504 * acceleration_y;
+        let t94 = t93 - -0.075348966 * acceleration_z - coupling_x2 * angular_acceleration_x;
+        let t95 = t94 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
 
         (
             [
@@ -825,7 +819,7 @@ const _: () = {
             [t5, t8, t9, t12, t15, t18, modal_quadratic0, modal_quadratic1, modal_quadratic2],
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t92, t95, t98,
+                angular_acceleration_y, angular_acceleration_z, t89, t92, t95,
             ],
         )
     }

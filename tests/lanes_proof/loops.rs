@@ -4,7 +4,6 @@ use ffrf::generated_support::lanes::{
     Dense, LaneBody, MomentStructure, MomentTable, ParameterDiagonal, ParameterMoments, Parameters,
     Symmetric, traces,
 };
-use ffrf_cli::lane_body::Bodies;
 use ffrf_codegen::ScalarType;
 use ffrf_codegen::body::{BodyExpressions, raw_inertia};
 use ffrf_codegen::expression::{Expression, Graph};
@@ -12,6 +11,7 @@ use ffrf_codegen::formulate::{ConstantFactors, State};
 use ffrf_codegen::invariants::{Invariant, Structure};
 use ffrf_codegen::lanes::LaneTables;
 use ffrf_codegen::layout::Layout;
+use ffrf_host::kernels::Bodies;
 
 use crate::symbolic::{Symbolic, record};
 

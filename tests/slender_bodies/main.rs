@@ -10,8 +10,8 @@ mod tolerances;
 use body::slender_body;
 use exact_motion::{Errors, ExactMotion, Force};
 use ffrf::nalgebra::{DMatrix, DVector, Rotation3, Vector3};
-use ffrf_cli::lane_kernels;
 use ffrf_codegen::{GenerateOptions, Kernels, Strategy, lanes};
+use ffrf_host::kernels::lane_kernels;
 use ffrf_test_kit::random::Random;
 use tolerances::{ACCELERATION, FACTORISED};
 
@@ -39,7 +39,7 @@ fn measure(modes: usize, thickness: f64, turn: &Rotation3<f64>, applied: Force) 
     // There are no lanes over no modes.
     let in_lanes = GenerateOptions { strategy: Strategy::Lanes, ..options };
     let tables = (modes > 0).then(|| lanes::tables_of(&body, &in_lanes).unwrap().unwrap());
-    let loops = tables.as_ref().map(|tables| lane_kernels::of(tables).unwrap());
+    let loops = tables.as_ref().map(|tables| lane_kernels(tables).unwrap());
     let mut found =
         Found { condition: 0.0, statements: Errors::default(), loops: None, factorised: Errors::default() };
     for seed in 1..4 {

@@ -34,42 +34,6 @@ impl Factors {
         (factors, [xx, yy, zz])
     }
 
-    /// The factors of a matrix that follows from the state: the same elimination, its rows multiplied by the pivots
-    /// instead of divided, so that no division waits for another.
-    ///
-    /// `scale` is about one over the size of the entries, to any accuracy: without it the last pivot is of their fourth
-    /// power, which f32 does not hold for a body of a gram and a millimetre.
-    pub(super) fn with_divisions_deferred(graph: &mut Graph, matrix: &Symmetric3, scale: Expression) -> Self {
-        let one = graph.one();
-        let ([xx, yy, zz], [yz, xz, xy]) = (matrix.diagonal, matrix.off_diagonal);
-        let first = graph.divide(one, xx);
-        let lower = [xy, xz].map(|entry| graph.multiply(entry, first));
-        // Rows y and z times the scaled pivot xx, unless row x has nothing to do with them.
-        let is_coupled = [xy, xz].iter().any(|entry| !graph.is_zero(*entry));
-        let pivot = if is_coupled { graph.multiply(xx, scale) } else { one };
-        let scaled = [xy, xz].map(|entry| graph.multiply(entry, scale));
-        let mut rest = |entry: Expression, left: Expression, right: Expression| {
-            let product = graph.multiply(pivot, entry);
-            minus_products(graph, product, [(left, right)])
-        };
-        let (yy, yz, zz) = (rest(yy, scaled[0], xy), rest(yz, scaled[0], xz), rest(zz, scaled[1], xz));
-        let second = graph.divide(one, yy);
-        let lower_zy = graph.multiply(yz, second);
-        let second = graph.multiply(pivot, second);
-        // The last row times the pivot yy, likewise.
-        let third = if graph.is_zero(yz) {
-            let third = graph.divide(one, zz);
-            graph.multiply(pivot, third)
-        } else {
-            let product = graph.multiply(yy, zz);
-            let last = minus_products(graph, product, [(yz, yz)]);
-            let third = graph.divide(one, last);
-            let factor = graph.multiply(pivot, yy);
-            graph.multiply(factor, third)
-        };
-        Self { lower: [lower[0], lower[1], lower_zy], inverse_pivots: [first, second, third] }
-    }
-
     /// L⁻¹ v
     pub(super) fn forward(&self, graph: &mut Graph, [x, y, z]: Vector) -> Vector {
         let [lower_y, lower_z, lower_zy] = self.lower;
@@ -90,19 +54,51 @@ impl Factors {
         let x = minus_products(graph, x, [(lower_z, z), (lower_y, y)]);
         [x, y, z]
     }
+}
 
-    /// S⁻¹ v
-    pub(super) fn solve(&self, graph: &mut Graph, v: Vector) -> Vector {
-        let v = self.forward(graph, v);
-        let v = self.weigh(graph, v);
-        self.backward(graph, v)
-    }
+/// S⁻¹ v for a matrix that follows from the state: the elimination of [`Factors`] with rows multiplied by the pivots instead
+/// of divided, so that no division waits for another, and the right-hand side eliminated along with the matrix: that is
+/// fewer operations than a solution by L and D, which nobody needs here.
+///
+/// `scale` is about one over the size of the entries, to any accuracy: without it the last pivot is of their fourth power,
+/// which f32 does not hold for a body of a gram and a millimetre.
+pub(super) fn solve_with_divisions_deferred(
+    graph: &mut Graph,
+    matrix: &Symmetric3,
+    scale: Expression,
+    [x, y, z]: Vector,
+) -> Vector {
+    let one = graph.one();
+    let ([xx, yy, zz], [yz, xz, xy]) = (matrix.diagonal, matrix.off_diagonal);
+    // Rows y and z times the scaled pivot xx, unless row x has nothing to do with them.
+    let is_coupled = [xy, xz].iter().any(|entry| !graph.is_zero(*entry));
+    let pivot = if is_coupled { graph.multiply(xx, scale) } else { one };
+    let [scaled_y, scaled_z] = [xy, xz].map(|entry| graph.multiply(entry, scale));
+    let mut rest = |entry: Expression, left: Expression, right: Expression| {
+        let product = graph.multiply(pivot, entry);
+        minus_products(graph, product, [(left, right)])
+    };
+    let (yy, yz, zz) = (rest(yy, scaled_y, xy), rest(yz, scaled_y, xz), rest(zz, scaled_z, xz));
+    let (y, z) = (rest(y, scaled_y, x), rest(z, scaled_z, x));
+    let [first, second] = [xx, yy].map(|pivot| graph.divide(one, pivot));
+    // The last row times the pivot yy, likewise.
+    let (pivot, zz) = if graph.is_zero(yz) { (one, zz) } else { (yy, graph.multiply(yy, zz)) };
+    let zz = minus_products(graph, zz, [(yz, yz)]);
+    let third = graph.divide(one, zz);
+    let z = graph.multiply(pivot, z);
+    let z = minus_products(graph, z, [(yz, y)]);
+    let z = graph.multiply(z, third);
+    let y = minus_products(graph, y, [(yz, z)]);
+    let y = graph.multiply(y, second);
+    let x = minus_products(graph, x, [(xz, z), (xy, y)]);
+    let x = graph.multiply(x, first);
+    [x, y, z]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::expression::symmetric_times;
+    use crate::expression::{Input, symmetric_times};
 
     const OFF_DIAGONALS: [[f64; 3]; 5] =
         [[1.0, -0.5, 2.0], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, -0.5, 0.0]];
@@ -122,11 +118,15 @@ mod tests {
             let scale = graph.constant(0.1);
             let (factors, pivots) = Factors::new(&mut graph, &matrix);
             assert!(pivots.iter().all(|&pivot| graph.constant_value(pivot).unwrap() > 0.0));
-            let deferred = Factors::with_divisions_deferred(&mut graph, &matrix, scale);
             let expected = [1.0, -2.0, 3.0];
             let right = expected.map(|value| graph.constant(value));
-            for factors in [factors, deferred] {
-                let solution = factors.solve(&mut graph, right);
+            let solved = factors.forward(&mut graph, right);
+            let solved = factors.weigh(&mut graph, solved);
+            let solutions = [
+                factors.backward(&mut graph, solved),
+                solve_with_divisions_deferred(&mut graph, &matrix, scale, right),
+            ];
+            for solution in solutions {
                 let found = symmetric_times(&mut graph, &matrix, solution);
                 for (found, expected) in found.into_iter().zip(expected) {
                     let found = graph.constant_value(found).unwrap();
@@ -140,11 +140,14 @@ mod tests {
     #[test]
     fn a_diagonal_matrix_costs_three_divisions_and_no_more() {
         let mut graph = Graph::new();
-        let matrix = constants(&mut graph, [0.0; 3]);
+        let [diagonal, right] = [Input::ANGULAR_VELOCITY, Input::VELOCITY]
+            .map(|input| [0, 1, 2].map(|axis| graph.symbol(input.symbol(axis))));
+        let zero = graph.zero();
+        let matrix = Symmetric3 { diagonal, off_diagonal: [zero; 3] };
         let scale = graph.constant(0.1);
-        let factors = Factors::with_divisions_deferred(&mut graph, &matrix, scale);
-        let values = |vector: Vector| vector.map(|entry| graph.constant_value(entry));
-        assert_eq!(values(factors.inverse_pivots), [Some(1.0 / 4.0), Some(1.0 / 5.0), Some(1.0 / 6.0)]);
-        assert_eq!(values(factors.lower), [Some(0.0); 3]);
+        let before = graph.len();
+        solve_with_divisions_deferred(&mut graph, &matrix, scale, right);
+        let operations = graph.nodes().skip(before).filter(|(_, node)| node.is_operation()).count();
+        assert_eq!(operations, 3 + 3, "a division and a product for each axis");
     }
 }

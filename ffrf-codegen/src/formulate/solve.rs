@@ -1,6 +1,6 @@
 //! Forward dynamics: modal accelerations eliminated first, then a 6 x 6 system in 3 x 3 blocks.
 
-use super::factors::Factors;
+use super::factors::{Factors, solve_with_divisions_deferred};
 use super::modal_mass::{ModalMass, Prepared, minus_products};
 use super::pivot::{BadPivot, bad_pivot};
 use super::structured::label3;
@@ -80,8 +80,7 @@ pub fn forward_dynamics(
     };
     let remaining_moment = [0, 1, 2].map(|i| schur(graph, moment[i], i, drift));
     let scale = scale(graph, &body.inertia);
-    let inertia = Factors::with_divisions_deferred(graph, &remaining, scale);
-    let angular = inertia.solve(graph, remaining_moment);
+    let angular = solve_with_divisions_deferred(graph, &remaining, scale, remaining_moment);
     label3(graph, angular, "angular_acceleration");
     let linear = [0, 1, 2].map(|i| {
         let terms = (0..3).map(|j| (shift[j][i], angular[j]));
@@ -110,7 +109,7 @@ fn reduced(
     }
 }
 
-/// One over the size of the moments of inertia, for [`Factors::with_divisions_deferred`].
+/// One over the size of the moments of inertia, for [`solve_with_divisions_deferred`].
 fn scale(graph: &mut Graph, inertia: &Symmetric3) -> Expression {
     let one = graph.one();
     let trace = graph.sum(inertia.diagonal);

@@ -1,8 +1,12 @@
 //! The order of elimination of least cost, found greedily.
 //!
-//! Nodes are bodies (six unknowns) and joints (their rows). Eliminating a node couples all its neighbours. A joint follows
-//! at least one of its bodies: then its pivot block is definite. For chains, trees and stars the order found costs a number
-//! of operations linear in the bodies: leaves go first, a hub last.
+//! Nodes are bodies (six unknowns) and joints (their rows). Eliminating a node couples all its neighbours. For chains, trees
+//! and stars the order found costs a number of operations linear in the bodies: leaves go first, a hub last.
+//!
+//! Without pivoting, a joint may only go where its pivot block is definite. The rows of several joints are independent on
+//! the bodies that went before if each has one of these for its own: ten rows of two joints on one rigid body are not. So a
+//! joint goes when it finds a body that no earlier joint needs ([`Owners`]), or when every body that it is coupled to has
+//! gone: then its block is what it would be at the very end.
 
 use std::collections::BTreeSet;
 
@@ -68,20 +72,63 @@ impl Couplings {
     }
 }
 
+/// Which eliminated body each eliminated joint has for its own.
+struct Owners<'a> {
+    topology: &'a Topology,
+    /// For each body, whether it has gone.
+    gone: Vec<bool>,
+    /// For each body, the joint that it belongs to.
+    joint_of: Vec<Option<usize>>,
+}
+
+impl Owners<'_> {
+    /// Gives `joint` a body of its own among those gone, moving earlier joints to their other body where that helps.
+    fn give(&mut self, joint: usize, tried: &mut BTreeSet<usize>) -> bool {
+        let ends = self.topology.joints[joint].ends;
+        for body in ends.into_iter().flatten().filter(|body| self.gone[*body]).collect::<Vec<_>>() {
+            if !tried.insert(body) {
+                continue;
+            }
+            if self.joint_of[body].is_none_or(|other| self.give(other, tried)) {
+                self.joint_of[body] = Some(joint);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether [`give`](Self::give) would find one.
+    fn has_one_for(&self, joint: usize) -> bool {
+        let mut tried =
+            Self { topology: self.topology, gone: self.gone.clone(), joint_of: self.joint_of.clone() };
+        tried.give(joint, &mut BTreeSet::new())
+    }
+}
+
 /// The nodes in their order, each with the nodes that it is coupled to when its turn comes.
 pub(super) fn order(topology: &Topology) -> Vec<(usize, Vec<usize>)> {
     let bodies = topology.flexible.len();
     let mut couplings = Couplings::of(topology);
+    let mut owners = Owners { topology, gone: vec![false; bodies], joint_of: vec![None; bodies] };
     let mut left: BTreeSet<usize> = (0..couplings.sizes.len()).collect();
     let mut order = Vec::with_capacity(left.len());
     loop {
         let ready = |node: &usize| {
             *node < bodies
-                || topology.joints[*node - bodies].ends.iter().flatten().any(|body| !left.contains(body))
+                || couplings.neighbours[*node].iter().all(|other| *other >= bodies)
+                || owners.has_one_for(*node - bodies)
         };
-        let next = left.iter().copied().filter(ready).min_by_key(|node| (couplings.cost(*node), *node));
-        let Some(next) = next else { break };
+        // the cheapest first: whether a joint may go is asked in the order of cost
+        let mut by_cost: Vec<usize> = left.iter().copied().collect();
+        by_cost.sort_by_key(|node| (couplings.cost(*node), *node));
+        let Some(next) = by_cost.into_iter().find(ready) else { break };
         left.remove(&next);
+        match next.checked_sub(bodies) {
+            None => owners.gone[next] = true,
+            Some(joint) => {
+                owners.give(joint, &mut BTreeSet::new());
+            }
+        }
         order.push((next, couplings.eliminate(next)));
     }
     order

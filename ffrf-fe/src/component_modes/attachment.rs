@@ -7,9 +7,10 @@ use ffrf_model::ModeKind;
 
 use crate::FeError;
 
+use super::condition::Condition;
 use super::flexibility::Flexibility;
 use super::interface_motion::InterfaceMotion;
-use super::normal_modes::{Condition, NormalModes, normal_modes};
+use super::normal_modes::{NormalModes, normal_modes};
 use super::shapes::Shapes;
 
 /// [G_e Bᵀ, Φ_free], and the free modes. G_e is the elastic flexibility in mean axes.

@@ -7,8 +7,9 @@ use ffrf_model::ModeKind;
 
 use crate::FeError;
 
+use super::condition::Condition;
 use super::constrained::Constrained;
-use super::normal_modes::{Condition, NormalModes, normal_modes};
+use super::normal_modes::{NormalModes, normal_modes};
 use super::shapes::Shapes;
 
 /// [Ψ_c, Φ_clamped], and the clamped modes.

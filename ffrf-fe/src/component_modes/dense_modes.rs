@@ -6,8 +6,8 @@ use faer::{Mat, Par};
 use crate::FeError;
 use crate::modes::{cholesky, gram, product};
 
+use super::condition::Condition;
 use super::jacobi;
-use super::normal_modes::Condition;
 
 /// Inverse eigenvalues below this part of the largest, times the size, are round-off of shapes without mass.
 const FINITE: f64 = 1e-14;

@@ -9,8 +9,9 @@ use ffrf_model::ModeKind;
 use crate::FeError;
 use crate::modes::subtract_product;
 
+use super::condition::Condition;
 use super::constrained::Constrained;
-use super::normal_modes::{Condition, NormalModes, normal_modes};
+use super::normal_modes::{NormalModes, normal_modes};
 use super::shapes::Shapes;
 
 /// [Ψ_c, G_c M R, Φ_free - Ψ_c B Φ_free], and the free modes. G_c is the flexibility with the interfaces at rest.

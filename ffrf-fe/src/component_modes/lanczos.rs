@@ -8,8 +8,8 @@ use crate::FeError;
 use crate::modes::{Random, gram, product, subtract_product};
 
 use super::ComponentModeError;
+use super::condition::Condition;
 use super::jacobi;
-use super::normal_modes::Condition;
 
 /// Vectors per block: at least the multiplicities that symmetric parts have.
 const BLOCK: usize = 8;

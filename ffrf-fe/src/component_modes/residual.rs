@@ -10,9 +10,10 @@ use ffrf_model::ModeKind;
 use crate::FeError;
 use crate::modes::{gram, subtract_product};
 
+use super::condition::Condition;
 use super::flexibility::Flexibility;
 use super::interface_motion::InterfaceMotion;
-use super::normal_modes::{Condition, NormalModes, normal_modes};
+use super::normal_modes::{NormalModes, normal_modes};
 use super::shapes::Shapes;
 
 /// [Φ_free, (G_e - Φ Λ⁻¹ Φᵀ) Bᵀ], and the free modes. G_e is the elastic flexibility in mean axes.

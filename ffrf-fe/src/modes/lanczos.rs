@@ -12,11 +12,8 @@ use super::ModeError;
 use super::dense::Pairs;
 use super::inertia_count::counting_shift;
 use super::operator::Operator;
-use super::subspace::{Ritz, Subspace};
+use super::subspace::{BLOCK, Ritz, Subspace};
 
-/// Vectors per block: at least the multiplicities that symmetric parts have, and two halves that fill the
-/// four columns of the dense kernels.
-pub(crate) const BLOCK: usize = 8;
 /// Residual of (K - σM)⁻¹ M φ = θ φ, relative to θ, in the mass norm, of the modes to be returned.
 const TOLERANCE: f64 = 1e-11;
 /// The same of the modes behind them, of which only the eigenvalue is of interest: it is exact to the square.

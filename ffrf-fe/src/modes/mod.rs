@@ -14,7 +14,6 @@ mod basis;
 mod block;
 mod canonical;
 mod dense;
-mod error;
 mod factor;
 mod inertia_count;
 mod lanczos;
@@ -35,8 +34,8 @@ mod subspace;
 mod symmetric_eigen;
 mod user;
 
+pub use crate::error::ModeError;
 pub use basis::ModeBasis;
-pub use error::ModeError;
 pub use report::{ModeEntry, ModeReport, RigidModeEntry};
 pub use request::{Method, ModeRequest, ModeSolution, Progress, Stage, Support};
 pub use solve::compute_modes;

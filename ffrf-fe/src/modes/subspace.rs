@@ -7,11 +7,14 @@ use faer::{Mat, MatRef, Par};
 
 use super::ModeError;
 use super::block::{product, rotate};
-use super::lanczos::BLOCK;
 use super::operator::Operator;
 use super::orthonormal::orthonormalise_block;
 use super::random::Random;
 use super::symmetric_eigen::symmetric_eigen;
+
+/// Vectors per block: at least the multiplicities that symmetric parts have, and two halves that fill the
+/// four columns of the dense kernels.
+pub(crate) const BLOCK: usize = 8;
 
 pub(crate) struct Subspace<'a> {
     operator: &'a Operator<'a>,

@@ -1,7 +1,6 @@
 //! From [`FeModel`](crate::FeModel) and [`ModeBasis`](crate::ModeBasis) to [`ffrf_model::ReducedBody`].
 
 mod damping;
-mod error;
 mod invariants;
 mod marker;
 mod mean_axis;
@@ -9,6 +8,6 @@ mod options;
 mod reduce;
 mod stiffness;
 
-pub use error::ReductionError;
+pub use crate::error::ReductionError;
 pub use options::{Damping, MarkerRequest, ReductionOptions};
 pub use reduce::{MODE_SHAPES, reduce};

@@ -3,10 +3,9 @@
 use nalgebra::{RealField, UnitQuaternion, Vector3};
 
 use super::{
-    FlexibleBody, FreeSystem, GeneralisedForce, Marker, MarkerMotion, Motion, Observables, PlacedMarker,
-    State,
+    FlexibleBody, FreeSystem, GeneralisedForce, Load, Marker, MarkerMotion, Motion, Observables,
+    PlacedMarker, State,
 };
-use crate::forces::Load;
 use crate::integrators::{StepError, StepReport, step_linearly_implicit, step_rk4};
 
 /// A flexible body without joints, its state and its time.

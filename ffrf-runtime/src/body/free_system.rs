@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, Increment, ModalVector, Oscillators, Span, State};
-use crate::forces::Load;
+use super::{FlexibleBody, GeneralisedForce, Increment, Load, ModalVector, Oscillators, Span, State};
 use crate::integrators::{
     ConservingSystem, ExponentialSystem, Forcing, ImplicitSystem, LocalError, StepError, StiffSystem, System,
     Tolerances, VectorSpace,

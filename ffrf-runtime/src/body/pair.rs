@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, GeneralisedForce, Increment, State};
-use crate::forces::Load;
+use super::{FlexibleBody, GeneralisedForce, Increment, Load, State};
 use crate::integrators::{
     ImplicitSystem, LocalError, StepError, StiffSystem, System, Tolerances, VectorSpace,
 };

@@ -2,8 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::Load;
-use crate::{FlexibleBody, GeneralisedForce, State};
+use crate::{FlexibleBody, GeneralisedForce, Load, State};
 
 /// Uniform gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]

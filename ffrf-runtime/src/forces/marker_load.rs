@@ -2,8 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::Load;
-use crate::{FlexibleBody, GeneralisedForce, Marker, ModalVector, State};
+use crate::{FlexibleBody, GeneralisedForce, Load, Marker, ModalVector, State};
 
 /// The frame in which a force or moment keeps its components.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! What pushes bodies: loads, one file each.
+//! What pushes bodies: every [`Load`](crate::Load), one file each.
 
 mod actuator;
 mod bushing;
@@ -7,7 +7,6 @@ mod effort;
 mod force_element;
 mod friction;
 mod gravity;
-mod load;
 mod marker_load;
 mod spring;
 mod torsion_spring;
@@ -19,7 +18,6 @@ pub use effort::Effort;
 pub use force_element::ForceElement;
 pub use friction::Friction;
 pub use gravity::Gravity;
-pub use load::Load;
 pub use marker_load::{Frame, MarkerLoad};
 pub use spring::Spring;
 pub use torsion_spring::{TorsionSpring, relative_angle};

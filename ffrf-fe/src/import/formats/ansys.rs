@@ -6,7 +6,7 @@
 use super::matrix_market;
 use crate::Nodes;
 use crate::import::ImportError;
-use crate::import::matrix::entries::skip_blank_or_comment;
+use crate::import::matrix::line::skip_blank_or_comment;
 use crate::import::nodes::{NodeLookup, NodeTable};
 use crate::import::text::cursor::Cursor;
 use crate::import::text::source::Source;

@@ -8,7 +8,7 @@ use std::path::Path;
 use super::matrix_file;
 use crate::import::ImportError;
 use crate::import::error::shown;
-use crate::import::matrix::entries::skip_blank_or_comment;
+use crate::import::matrix::line::skip_blank_or_comment;
 use crate::import::matrix::raw_matrix::{Numbering, RawMatrix};
 use crate::import::nodes::NodeLookup;
 use crate::import::text::cursor::Cursor;

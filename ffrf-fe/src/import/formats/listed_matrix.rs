@@ -3,7 +3,8 @@
 //! Two kinds of line: `row column value`, and `node dof node dof value`; blanks or commas between.
 
 use crate::import::ImportError;
-use crate::import::matrix::entries::{Entries, ReadIndex, RowNumber, skip_blank_or_comment};
+use crate::import::matrix::entries::Entries;
+use crate::import::matrix::line::{ReadIndex, RowNumber, skip_blank_or_comment};
 use crate::import::matrix::raw_matrix::{Numbering, RawMatrix, Storage};
 use crate::import::nodes::NodeLookup;
 use crate::import::text::cursor::{Cursor, Defect, DefectKind};

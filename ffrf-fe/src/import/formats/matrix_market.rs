@@ -1,7 +1,8 @@
 //! Matrix Market files, coordinate and array, real and integer, general and symmetric.
 
 use crate::import::ImportError;
-use crate::import::matrix::entries::{Entries, RowNumber, offset_of_data_line, skip_blank_or_comment};
+use crate::import::matrix::entries::{Entries, offset_of_data_line};
+use crate::import::matrix::line::{RowNumber, skip_blank_or_comment};
 use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, ShapeCheck, Storage};
 use crate::import::text::cursor::{Cursor, DefectKind};
 use crate::import::text::source::Source;

@@ -1,7 +1,7 @@
 //! The header of a `.npy` array, looked over before a parser sees it: lengths that are announced and not there.
 
-use super::numpy::NPY_MAGIC;
-
+/// First bytes of a `.npy` file.
+pub(super) const NPY_MAGIC: &[u8] = b"\x93NUMPY";
 /// A header longer than this is no array of numbers. NumPy writes 118 bytes.
 const LONGEST: usize = 1 << 16;
 /// Brackets in each other that an array of numbers needs, with a margin.

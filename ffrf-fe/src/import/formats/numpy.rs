@@ -6,16 +6,15 @@ use std::io::{Cursor, Read};
 use ffrf_model::printable;
 use npyz::{DType, NpyFile, Order, TypeChar};
 
+use super::npy_header::{self, NPY_MAGIC};
 use super::npz_archive::NpzArchive;
-use super::{npy_header, text_table};
+use super::text_table;
 use crate::import::ImportError;
 use crate::import::matrix::entries::Entries;
 use crate::import::matrix::raw_matrix::{Dense, Numbering, RawMatrix, ShapeCheck, Storage};
 use crate::import::nodes::NodeTable;
 use crate::import::text::source::Source;
 
-/// First bytes of a `.npy` file.
-pub(crate) const NPY_MAGIC: &[u8] = b"\x93NUMPY";
 /// First bytes of a `.npz` file, which is a zip archive.
 pub(crate) const NPZ_MAGIC: &[u8] = b"PK\x03\x04";
 

@@ -2,7 +2,7 @@
 
 use crate::Nodes;
 use crate::import::ImportError;
-use crate::import::matrix::entries::skip_blank_or_comment;
+use crate::import::matrix::line::skip_blank_or_comment;
 use crate::import::matrix::raw_matrix::{Dense, ShapeCheck};
 use crate::import::nodes::NodeTable;
 use crate::import::text::cursor::Cursor;

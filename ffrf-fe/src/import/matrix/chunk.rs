@@ -1,6 +1,6 @@
 //! The entries of one piece of a file, and their order.
 
-use super::entries::{ReadIndex, skip_blank_or_comment};
+use super::line::{ReadIndex, skip_blank_or_comment};
 use crate::import::text::cursor::{Cursor, Defect};
 use crate::import::text::ordinary;
 

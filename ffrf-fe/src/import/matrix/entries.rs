@@ -1,8 +1,8 @@
 //! Matrix entries as a file lists them, read in parallel.
 
 use super::chunk::{Chunk, Order};
+use super::line::{ReadIndex, skip_blank_or_comment};
 use crate::import::text::cursor::{Cursor, Defect, DefectKind};
-use crate::import::text::ordinary;
 
 /// Files below this size are read by one thread: starting a thread costs about as much as reading this.
 const PARALLEL_BYTES: usize = 1 << 20;
@@ -14,46 +14,6 @@ const SAMPLE_BYTES: usize = 4096;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Entries {
     chunks: Vec<Chunk>,
-}
-
-/// Reads one index of a line: a row number, or a node with its direction.
-pub(crate) trait ReadIndex: Sync {
-    /// What a line looks like, for messages.
-    const LINE: &'static str;
-
-    /// Reads an index that is written as usual and lies within bounds; returns it counted from 0, and the offset of
-    /// the next token. `None` leaves the line to [`Self::read`].
-    fn read_short(&self, bytes: &[u8], at: usize) -> Option<(u32, usize)>;
-
-    /// Reads an index and returns it counted from 0.
-    fn read(&self, cursor: &mut Cursor<'_>) -> Result<u32, Defect>;
-}
-
-/// Row and column numbers from 1.
-pub(crate) struct RowNumber {
-    /// Largest number allowed.
-    pub(crate) limit: usize,
-}
-
-impl ReadIndex for RowNumber {
-    const LINE: &'static str = "`row column value`";
-
-    #[inline(always)]
-    fn read_short(&self, bytes: &[u8], at: usize) -> Option<(u32, usize)> {
-        let (number, next) = ordinary::index(bytes, at)?;
-        let index = number.wrapping_sub(1);
-        ((index as usize) < self.limit).then_some((index, next))
-    }
-
-    fn read(&self, cursor: &mut Cursor<'_>) -> Result<u32, Defect> {
-        cursor.skip_separators();
-        let at = cursor.at;
-        let number = cursor.unsigned(Self::LINE)?;
-        match u32::try_from(number) {
-            Ok(number) if number >= 1 && number as usize <= self.limit => Ok(number - 1),
-            _ => Err(Defect { at, kind: DefectKind::ExpectedIndex(self.limit) }),
-        }
-    }
 }
 
 impl Entries {
@@ -183,20 +143,6 @@ fn entries_per_byte(bytes: &[u8]) -> f64 {
     (lines as f64 / sample.len().max(1) as f64).min(1.0 / 6.0)
 }
 
-/// Goes over an empty line or a comment; false if the line holds data.
-#[inline]
-pub(crate) fn skip_blank_or_comment(bytes: &[u8], cursor: &mut Cursor<'_>) -> bool {
-    cursor.skip_separators();
-    match bytes.get(cursor.at) {
-        None => true,
-        Some(b'\n' | b'*' | b'%' | b'#' | b'!') => {
-            cursor.next_line();
-            true
-        }
-        Some(_) => false,
-    }
-}
-
 /// Byte offset of data line number `wanted` (from 0) after `start`.
 pub(crate) fn offset_of_data_line(bytes: &[u8], start: usize, wanted: usize) -> usize {
     let mut cursor = Cursor::new(bytes, start);
@@ -216,6 +162,7 @@ pub(crate) fn offset_of_data_line(bytes: &[u8], start: usize, wanted: usize) -> 
 
 #[cfg(test)]
 mod tests {
+    use super::super::line::RowNumber;
     use super::super::sparse_lines::SparseLines;
     use super::*;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::coverage::{self, Coverage};
+use super::coverage::Coverage;
 use super::rigid_motion;
 use crate::SparseMatrix;
 use crate::import::matrix::definiteness::refuse_indefinite;
@@ -23,12 +23,19 @@ pub(crate) struct Assembled {
 }
 
 /// A matrix over all degrees of freedom, and which of them were held.
-pub(super) struct Settled {
+struct Settled {
     lines: SparseLines,
     /// Held by a huge diagonal entry, or left out of a list.
-    pub(super) held: Vec<bool>,
+    held: Vec<bool>,
     /// Held by a huge diagonal entry.
-    pub(super) huge: Vec<bool>,
+    huge: Vec<bool>,
+}
+
+impl Settled {
+    /// Degrees of freedom that a list leaves out without marking them as held.
+    fn left_out(&self) -> Vec<bool> {
+        self.held.iter().zip(&self.huge).map(|(&held, &huge)| held && !huge).collect()
+    }
 }
 
 /// Puts the parts together and checks them; `notes` gets what was taken for granted or is odd.
@@ -50,7 +57,7 @@ pub(crate) fn assemble(
             refuse_size(raw, nodes, false)?;
             let settled = settle(raw, false);
             held.copy_from_slice(&settled.held);
-            left_out = coverage::left_out(&settled);
+            left_out = settled.left_out();
             let matrix = settled.lines.symmetric(raw.storage, raw.source.path())?;
             refuse_indefinite(&matrix, "stiffness", raw.source.path())?;
             Some(matrix)

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use super::assemble::Settled;
 use crate::import::nodes::NodeTable;
 use crate::import::note::file_name;
 use crate::import::{ImportError, Note};
@@ -136,9 +135,4 @@ impl Coverage<'_> {
             notes.push(Note::warning(text).about(self.mass_path));
         }
     }
-}
-
-/// Degrees of freedom that a list leaves out without marking them as held.
-pub(super) fn left_out(settled: &Settled) -> Vec<bool> {
-    settled.held.iter().zip(&settled.huge).map(|(&held, &huge)| held && !huge).collect()
 }

@@ -7,6 +7,7 @@ mod fields;
 mod keyword;
 mod limits;
 mod mesh;
+mod placed;
 mod reader;
 mod sets;
 

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::assemble::{Placed, unknown};
 use super::limits;
 use super::mesh::{Member, Place, RawSet};
+use super::placed::{Placed, unknown};
 use crate::import::ImportError;
 use crate::import::text::source::Source;
 

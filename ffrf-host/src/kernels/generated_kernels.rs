@@ -4,7 +4,7 @@ use ffrf_codegen::formulate::kernels::LINEAR_MOMENTUM;
 use ffrf_codegen::{CodegenError, GenerateOptions, KernelInput, Kernels, lanes};
 use ffrf_model::ReducedBody;
 
-use crate::lane_kernels::{self, LARGEST, LaneKernels};
+use super::lane_kernels::{LARGEST, LaneKernels, lane_kernels};
 
 /// The generated kernels of a body, in f64.
 ///
@@ -22,7 +22,7 @@ impl GeneratedKernels {
     /// Errors: as those of [`ffrf_codegen::generate`].
     pub fn new(body: &ReducedBody, options: &GenerateOptions) -> Result<Self, CodegenError> {
         let tables = lanes::tables_of(body, options)?;
-        let loops = tables.as_ref().and_then(lane_kernels::of);
+        let loops = tables.as_ref().and_then(lane_kernels);
         let description = match (&tables, &loops) {
             (None, _) => "straight-line code".to_owned(),
             (Some(tables), Some(_)) => tables.description(options.scalar),

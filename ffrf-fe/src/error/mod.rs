@@ -1,4 +1,17 @@
-//! The error type of this crate.
+//! What can go wrong, one file for each step; [`FeError`] is any of it.
+//!
+//! The steps import their errors from here, and [`FeError`], which holds them all: beside the steps, so that none of them
+//! imports another for it.
+
+mod component_modes;
+mod elements;
+mod modes;
+mod reduction;
+
+pub use component_modes::ComponentModeError;
+pub use elements::ElementError;
+pub use modes::ModeError;
+pub use reduction::ReductionError;
 
 /// What can go wrong between a finite-element export and a reduced body.
 #[derive(Debug, thiserror::Error)]
@@ -9,13 +22,13 @@ pub enum FeError {
     Import(#[from] crate::import::ImportError),
     /// The modes cannot be computed.
     #[error(transparent)]
-    Modes(#[from] crate::modes::ModeError),
+    Modes(#[from] ModeError),
     /// The component modes cannot be computed.
     #[error(transparent)]
-    ComponentModes(#[from] crate::component_modes::ComponentModeError),
+    ComponentModes(#[from] ComponentModeError),
     /// The body cannot be reduced.
     #[error(transparent)]
-    Reduction(#[from] crate::reduction::ReductionError),
+    Reduction(#[from] ReductionError),
     /// The reduced body contradicts itself.
     #[error(transparent)]
     Model(#[from] ffrf_model::ModelError),
@@ -29,5 +42,5 @@ pub enum FeError {
     },
     /// An element is not usable.
     #[error(transparent)]
-    Element(#[from] crate::elements::ElementError),
+    Element(#[from] ElementError),
 }

@@ -1,8 +1,8 @@
 //! The kernels that the command runs without compiling generated code: loops over tables against expressions.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-use ffrf_cli::generated_kernels::GeneratedKernels;
 use ffrf_codegen::{GenerateOptions, Kernels, Strategy};
+use ffrf_host::kernels::GeneratedKernels;
 use ffrf_model::ReducedBody;
 use ffrf_test_kit::random::Random;
 use ffrf_test_kit::random_body::{Modes, random_body};

@@ -7,7 +7,7 @@
 use ffrf_codegen::lanes::{LaneTables, MomentTables};
 use ffrf_runtime::lanes::{LaneBody, MomentTable, State};
 
-use crate::lane_body::Bodies;
+use super::Bodies;
 
 /// Largest number of modes.
 pub const LARGEST: usize = 64;
@@ -27,7 +27,7 @@ pub trait LaneKernels {
 }
 
 /// The loops for these tables, `None` for more than [`LARGEST`] modes.
-pub fn of(tables: &LaneTables) -> Option<Box<dyn LaneKernels>> {
+pub fn lane_kernels(tables: &LaneTables) -> Option<Box<dyn LaneKernels>> {
     // modes, velocities, groups, then pairs and single groups or tiles below the diagonal
     Some(match (tables.groups, &tables.moments) {
         (1, MomentTables::Whole { .. } | MomentTables::None) => whole::<4, 10, 1, 0, 1>(tables),
