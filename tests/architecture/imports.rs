@@ -28,7 +28,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         (
             "ffrf-cli",
             entry(
-                &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model", "ffrf-runtime"],
+                &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model"],
                 &["anyhow", "clap", "indicatif", "npyz", "plotters", "serde", "serde_json", "zip"],
             ),
         ),
