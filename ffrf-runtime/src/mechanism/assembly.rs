@@ -100,20 +100,20 @@ pub trait Assembly<T: RealField + Copy> {
     fn no_change(&self, state: &Self::State) -> Self::Increment;
     /// The state that `increment` leads to from `origin`.
     fn retract(&self, origin: &Self::State, increment: &Self::Increment) -> Self::State;
-    /// See [`System::place_rates`].
+    /// See [`System::place_rates`](crate::integrators::System::place_rates).
     fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment;
-    /// See [`System::velocities_only`].
+    /// See [`System::velocities_only`](crate::integrators::System::velocities_only).
     fn velocities_only(&self, increment: &Self::Increment) -> Self::Increment;
-    /// See [`System::local_error`].
+    /// See [`System::local_error`](crate::integrators::System::local_error).
     fn local_error(&self, difference: &Self::Increment) -> LocalError<T>;
-    /// See [`System::weighted_error`].
+    /// See [`System::weighted_error`](crate::integrators::System::weighted_error).
     fn weighted_error(
         &self,
         state: &Self::State,
         difference: &Self::Increment,
         tolerances: &Tolerances<T>,
     ) -> T;
-    /// See [`System::largest_stable_step`].
+    /// See [`System::largest_stable_step`](crate::integrators::System::largest_stable_step).
     fn largest_stable_step(&self) -> Option<T> {
         None
     }
