@@ -50,8 +50,8 @@ pub fn run(arguments: &Reduce) -> Result<()> {
         output::write_bytes(target, &surface.encode()?)?;
         say(&format!(
             "surface: {} points, {} triangles; written: {}\n",
-            surface.points.len(),
-            surface.triangles.len(),
+            surface.0.points.len(),
+            surface.0.triangles.len(),
             target.display()
         ))?;
     }

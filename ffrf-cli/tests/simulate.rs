@@ -144,6 +144,7 @@ fn an_explicit_step_that_is_too_long_is_told_the_longest() {
     let run = ffrf(&["simulate", &file.display().to_string(), "-o", &output.display().to_string()]);
     let said = String::from_utf8_lossy(&run.stderr).into_owned();
     assert_eq!(run.status.code(), Some(1), "{said}");
+    assert!(said.contains("t = "), "{said}");
     assert!(said.contains(&format!("explicit steps of at most {limit:.3e} s")), "{said}");
 }
 

@@ -166,18 +166,6 @@ fn names_that_end_in_something_else_are_refused_before_the_work() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
-#[test]
-fn a_step_that_is_too_long_is_told_with_its_time_and_with_the_longest_that_is_not() {
-    let folder = tempfile::tempdir().unwrap();
-    let output = folder.path().join("o.csv");
-    let file = changed(folder.path(), "slider_crank.toml", &[("step = 2e-6 ", "step = 5e-5 ")]);
-    let run = ffrf(&["simulate", &file, "-o", &output.display().to_string()]);
-    let said = String::from_utf8_lossy(&run.stderr).into_owned();
-    assert_eq!(run.status.code(), Some(1), "{said}");
-    assert!(said.contains("t = ") && said.contains("explicit steps of at most"), "{said}");
-    assert!(!output.exists());
-}
-
 #[cfg(unix)]
 #[test]
 fn a_run_that_is_interrupted_leaves_nothing() {

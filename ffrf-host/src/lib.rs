@@ -15,6 +15,7 @@ pub mod analysis;
 pub mod body;
 pub mod kernels;
 pub mod mechanism;
+pub mod picture;
 pub mod scene;
 pub mod simulate;
 

@@ -1,7 +1,7 @@
 //! The same runtime in f32: it follows f64 to single precision.
 
 use ffrf_runtime::nalgebra::{SVector, Vector3};
-use ffrf_runtime::{FreeBody, Gravity};
+use ffrf_runtime::{EnergyMomentum, FreeBody, FreeSystem, GeneralisedAlpha, Gravity};
 use ffrf_test_kit::naive_body::{Invariants, NaiveBody};
 use ffrf_test_kit::tolerances::SINGLE_PRECISION;
 
@@ -48,5 +48,37 @@ fn both_steps_follow_double_precision() {
         assert!(difference.norm() < SINGLE_PRECISION, "{difference}");
         let difference = double.state.modal_coordinates - single.state.modal_coordinates.cast::<f64>();
         assert!(difference.norm() < SINGLE_PRECISION, "{difference}");
+    }
+}
+
+#[test]
+fn methods_that_iterate_end_in_single_precision() {
+    // the same steps in both number types; tolerances follow the type
+    macro_rules! end {
+        ($scalar:ty) => {{
+            let body = bar!($scalar);
+            let load = Gravity { acceleration: Vector3::<$scalar>::new(0.0, 0.0, -9.81) };
+            let system = FreeSystem { body: &body.body, load: &load };
+            let step: $scalar = 5e-3;
+            let alpha = GeneralisedAlpha::<$scalar>::new();
+            let mut memory = alpha.start(&system, &body.state, 0.0, step).unwrap();
+            let (mut damped, mut kept) = (body.state, body.state);
+            let mut most = 0;
+            for _ in 0..200 {
+                let (next, report) = alpha.step(&system, &mut memory, &damped, 0.0, step).unwrap();
+                damped = next;
+                most = most.max(report.iterations);
+                let (next, report) =
+                    EnergyMomentum::<$scalar>::new().step(&system, &kept, 0.0, step).unwrap();
+                kept = next;
+                most = most.max(report.iterations);
+            }
+            assert!(most <= 10, "{most}");
+            [damped, kept].map(|state| (state.position.cast::<f64>(), state.angular_velocity.cast::<f64>()))
+        }};
+    }
+    for (single, double) in end!(f32).into_iter().zip(end!(f64)) {
+        assert!((single.0 - double.0).norm() < SINGLE_PRECISION, "{single:?} {double:?}");
+        assert!((single.1 - double.1).norm() < SINGLE_PRECISION, "{single:?} {double:?}");
     }
 }

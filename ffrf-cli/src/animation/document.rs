@@ -3,11 +3,11 @@
 //! Source: Khronos Group, glTF 2.0 Specification (2021): 3.6 (buffers), 3.7 (meshes, morph targets), 3.11 (animations), 4
 //! (binary form).
 
+use ffrf_host::picture::Shape;
 use ffrf_host::scene::Scene;
 use serde_json::{Value, json};
 
 use super::frames::Frames;
-use super::shapes::Shape;
 
 /// Types of components.
 const FLOAT: u32 = 5126;
@@ -27,7 +27,7 @@ const COLOURS: [[f32; 3]; 6] = [
 ];
 
 /// The bytes of a `.glb` file.
-pub(super) fn write(scene: &Scene, shapes: &[Shape], frames: &Frames) -> Vec<u8> {
+pub(super) fn write(scene: &Scene, shapes: &[Shape], frames: &Frames, deformation: f64) -> Vec<u8> {
     let mut buffer = Buffer::default();
     let times = buffer.numbers(&frames.times, 1, None, true);
     let (mut meshes, mut nodes, mut materials) = (Vec::new(), Vec::new(), Vec::new());
@@ -40,7 +40,7 @@ pub(super) fn write(scene: &Scene, shapes: &[Shape], frames: &Frames) -> Vec<u8>
             "doubleSided": true,
             "pbrMetallicRoughness": {"baseColorFactor": [red, green, blue, 1.0], "metallicFactor": 0.1, "roughnessFactor": 0.6},
         }));
-        meshes.push(mesh(&mut buffer, name, shape, index));
+        meshes.push(mesh(&mut buffer, name, shape, index, deformation));
         let first = |list: &[[f32; 3]]| list.first().copied().unwrap_or_default();
         let turned = moved.orientations.first().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]);
         nodes.push(json!({
@@ -79,8 +79,11 @@ pub(super) fn write(scene: &Scene, shapes: &[Shape], frames: &Frames) -> Vec<u8>
     binary(&document, buffer.bytes)
 }
 
-fn mesh(buffer: &mut Buffer, name: &str, shape: &Shape, material: usize) -> Value {
-    let points = buffer.numbers(shape.points.as_flattened(), 3, Some(VERTICES), true);
+fn mesh(buffer: &mut Buffer, name: &str, shape: &Shape, material: usize, deformation: f64) -> Value {
+    let scaled = |points: &[[f64; 3]], factor: f64| -> Vec<f32> {
+        points.iter().flatten().map(|x| (factor * x) as f32).collect()
+    };
+    let points = buffer.numbers(&scaled(&shape.points, 1.0), 3, Some(VERTICES), true);
     let indices = buffer.indices(shape.triangles.as_flattened());
     let mut primitive =
         json!({"attributes": {"POSITION": points}, "indices": indices, "material": material, "mode": 4});
@@ -89,7 +92,7 @@ fn mesh(buffer: &mut Buffer, name: &str, shape: &Shape, material: usize) -> Valu
         let targets: Vec<Value> = shape
             .modes
             .iter()
-            .map(|mode| json!({"POSITION": buffer.numbers(mode.as_flattened(), 3, Some(VERTICES), true)}))
+            .map(|mode| json!({"POSITION": buffer.numbers(&scaled(mode, deformation), 3, Some(VERTICES), true)}))
             .collect();
         mesh["weights"] = json!(vec![0.0; targets.len()]);
         mesh["extras"] = json!({"targetNames": (1..=targets.len()).map(|mode| format!("mode {mode}")).collect::<Vec<_>>()});

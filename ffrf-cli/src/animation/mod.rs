@@ -5,11 +5,11 @@
 
 mod document;
 mod frames;
-mod shapes;
 mod skin;
 mod surface;
 
 use anyhow::Result;
+use ffrf_host::picture::{Shape, skeletons};
 use ffrf_host::scene::Scene;
 
 use crate::results::Columns;
@@ -34,17 +34,10 @@ pub fn glb(
     show: Show,
 ) -> Result<(Vec<u8>, String)> {
     let frames = frames::Frames::new(scene, columns, show)?;
-    let size = shapes::size(scene);
-    let shapes: Vec<shapes::Shape> = scene
-        .mechanism
-        .bodies()
-        .iter()
-        .zip(scene.mechanism.markers())
+    let shapes: Vec<Shape> = skeletons(scene)
+        .into_iter()
         .zip(surfaces)
-        .map(|((body, markers), surface)| match surface {
-            Some(surface) => shapes::from_surface(surface, body.mode_count(), show.deformation),
-            None => shapes::skeleton(body, markers, size, show.deformation),
-        })
+        .map(|(skeleton, surface)| surface.as_ref().map_or(skeleton, |surface| surface.0.clone()))
         .collect();
     let line = format!(
         "{} frames, {:.3} s of motion in {:.3} s{}",
@@ -57,5 +50,5 @@ pub fn glb(
             format!(", deformation drawn {} times too large", show.deformation)
         }
     );
-    Ok((document::write(scene, &shapes, &frames), line))
+    Ok((document::write(scene, &shapes, &frames, show.deformation), line))
 }

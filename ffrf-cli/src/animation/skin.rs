@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use anyhow::{Result, bail};
 use ffrf_fe::{Element, ElementKind, FeModel, ModeBasis};
 
+use ffrf_host::picture::Shape;
+
 use super::Surface;
 
 /// Faces of elements in the order of Abaqus and CalculiX, corner nodes, seen from outside against the clock.
@@ -50,11 +52,11 @@ pub fn skin(model: &FeModel, basis: &ModeBasis) -> Result<Surface> {
     let moved = |mode: usize| {
         nodes.iter().map(|node| [0, 1, 2].map(|axis| basis.shapes[(3 * node + axis, mode)])).collect()
     };
-    Ok(Surface {
+    Ok(Surface(Shape {
         points: nodes.iter().map(|node| model.nodes.positions[*node]).collect(),
         triangles: triangles.collect(),
-        shapes: (0..basis.modes.len()).map(moved).collect(),
-    })
+        modes: (0..basis.modes.len()).map(moved).collect(),
+    }))
 }
 
 fn faces_of(element: &Element) -> Result<&'static [&'static [usize]]> {

@@ -3,50 +3,40 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
+use ffrf_host::picture::Shape;
 use npyz::NpyFile;
 use zip::ZipArchive;
 
 use crate::results::{Array, archive};
 
-/// A triangulated surface and how modes move it. Frame: body.
+/// A triangulated surface, and how modes move it.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Surface {
-    /// Points.
-    pub points: Vec<[f64; 3]>,
-    /// Triangles, three points each, seen from outside against the clock.
-    pub triangles: Vec<[u32; 3]>,
-    /// Displacements of all points for each mode. Shape: M x points x 3.
-    pub shapes: Vec<Vec<[f64; 3]>>,
-}
+pub struct Surface(pub Shape);
 
 impl Surface {
     /// The bytes of a file that [`read`](Self::read) reads: `points`, `triangles`, `shapes`.
     pub fn encode(&self) -> Result<Vec<u8>> {
+        let Shape { points, triangles, modes } = &self.0;
         let flat = |points: &[[f64; 3]]| points.iter().flatten().copied().collect::<Vec<f64>>();
-        let triangles = self.triangles.iter().flatten().map(|point| f64::from(*point)).collect();
+        let corners = triangles.iter().flatten().map(|point| f64::from(*point)).collect();
+        let numbers = |shape: Vec<usize>, values: Vec<f64>| Array::Numbers { shape, values };
         archive([
-            (
-                "points".to_owned(),
-                Array::Numbers { shape: vec![self.points.len(), 3], values: flat(&self.points) },
-            ),
-            (
-                "triangles".to_owned(),
-                Array::Numbers { shape: vec![self.triangles.len(), 3], values: triangles },
-            ),
+            ("points".to_owned(), numbers(vec![points.len(), 3], flat(points))),
+            ("triangles".to_owned(), numbers(vec![triangles.len(), 3], corners)),
             (
                 "shapes".to_owned(),
-                Array::Numbers {
-                    shape: vec![self.shapes.len(), self.points.len(), 3],
-                    values: self.shapes.iter().flat_map(|shape| flat(shape)).collect(),
-                },
+                numbers(
+                    vec![modes.len(), points.len(), 3],
+                    modes.iter().flat_map(|shape| flat(shape)).collect(),
+                ),
             ),
         ])
     }
 
-    /// Reads a surface for a body of `modes` modes; the file may have more.
+    /// Reads a surface for a body of so many modes; the file may have more.
     ///
     /// Errors: it is no such file, has fewer modes, or triangles without points.
-    pub fn read(path: &Path, modes: usize) -> Result<Self> {
+    pub fn read(path: &Path, mode_count: usize) -> Result<Self> {
         let shown = || format!("{}", path.display());
         let file = std::fs::File::open(path).with_context(shown)?;
         let mut archive = ZipArchive::new(file).with_context(shown)?;
@@ -64,9 +54,9 @@ impl Surface {
             let points = threes(&array("points", 2)?.1);
             let triangles = threes(&array("triangles", 2)?.1);
             let (shape, values) = array("shapes", 3)?;
-            if shape[0] < modes || shape[1] != points.len() {
+            if shape[0] < mode_count || shape[1] != points.len() {
                 bail!(
-                    "array `shapes`: expected {modes} modes or more of {} points, found {} of {}",
+                    "array `shapes`: expected {mode_count} modes or more of {} points, found {} of {}",
                     points.len(),
                     shape[0],
                     shape[1]
@@ -76,10 +66,11 @@ impl Surface {
             if let Some(wrong) = triangles.iter().flatten().find(|point| !known(**point)) {
                 bail!("array `triangles`: expected points from 0 to {}, found {wrong}", points.len() - 1);
             }
-            let shapes = threes(&values).chunks(points.len().max(1)).take(modes).map(<[_]>::to_vec).collect();
+            let modes =
+                threes(&values).chunks(points.len().max(1)).take(mode_count).map(<[_]>::to_vec).collect();
             let triangles =
                 triangles.into_iter().map(|triangle| triangle.map(|point| point as u32)).collect();
-            Ok(Self { points, triangles, shapes })
+            Ok(Self(Shape { points, triangles, modes }))
         })();
         read.with_context(shown)
     }
@@ -95,20 +86,20 @@ mod tests {
 
     #[test]
     fn a_surface_comes_back_and_a_broken_one_is_refused() {
-        let surface = Surface {
+        let surface = Surface(Shape {
             points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.5]],
             triangles: vec![[0, 1, 2]],
-            shapes: vec![vec![[0.1; 3]; 3], vec![[0.2; 3]; 3]],
-        };
+            modes: vec![vec![[0.1; 3]; 3], vec![[0.2; 3]; 3]],
+        });
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("s.npz");
         let store = |surface: &Surface| std::fs::write(&path, surface.encode().unwrap()).unwrap();
         store(&surface);
         assert_eq!(Surface::read(&path, 2).unwrap(), surface);
-        assert_eq!(Surface::read(&path, 1).unwrap().shapes.len(), 1);
+        assert_eq!(Surface::read(&path, 1).unwrap().0.modes.len(), 1);
         let said = |result: Result<Surface>| format!("{:#}", result.unwrap_err());
         assert!(said(Surface::read(&path, 3)).contains("expected 3 modes or more of 3 points, found 2 of 3"));
-        store(&Surface { triangles: vec![[0, 1, 3]], ..surface });
+        store(&Surface(Shape { triangles: vec![[0, 1, 3]], ..surface.0 }));
         assert!(said(Surface::read(&path, 2)).contains("expected points from 0 to 2, found 3"));
         std::fs::write(&path, "no archive").unwrap();
         Surface::read(&path, 1).unwrap_err();

@@ -102,8 +102,8 @@ fn draw_panel(place: &Area<'_>, panel: &Panel, abscissae: &[f64], axis: Option<&
         let decade = |x: f64| 10_f64.powf(x);
         let top = if high > 0.0 { decade(high.log10().ceil()) } else { 1.0 };
         let positive = values().filter(|x| *x > 0.0).fold(top, f64::min);
-        // two decades at least, so that the axis has numbers
-        let bottom = decade(positive.log10().floor()).max(top * DECADES).min(0.01 * top);
+        // four decades at least, so that the axis has numbers
+        let bottom = decade(positive.log10().floor()).max(top * DECADES).min(1e-4 * top);
         finish!(builder.build_cartesian_2d(span, (bottom..top).log_scale())?, |(t, x): (f64, f64)| (
             t,
             x.max(bottom)

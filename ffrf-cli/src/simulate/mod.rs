@@ -149,7 +149,11 @@ fn describe_check(scene: &Scene, found: &SceneCheck) -> String {
         let _ = writeln!(text, "  {joint}: {position:.3e}, {velocity:.3e}");
     }
     let [position, velocity] = found.assembled;
-    let _ = writeln!(text, "once assembled: {position:.3e}, {velocity:.3e}");
+    let _ = writeln!(
+        text,
+        "once assembled: {position:.3e}, {velocity:.3e}; accelerations {:.3e} per second squared",
+        found.accelerations
+    );
     text
 }
 

@@ -5,8 +5,7 @@ use nalgebra::{Complex, Vector3};
 
 use super::eigen::{Eigenmode, eigenmodes};
 use super::equilibrium::search;
-use super::evaluate::States;
-use super::spin::{Spin, SpinFrame};
+use super::spin::{Spin, SpinFrame, States};
 use super::state_space::about_spin;
 use super::whirl::{Shares, Whirl};
 use super::{AnalysisError, Equilibrium};

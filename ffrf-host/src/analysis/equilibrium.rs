@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 use num_dual::Dual64;
 
 use super::AnalysisError;
-use super::evaluate::{Point, States, cast_state, flatten, increment, slope, value};
-use super::spin::Spin;
+use super::evaluate::{Point, cast_state, flatten, increment, slope, value};
+use super::spin::{Spin, States};
 use super::tangent::Tangent;
 use crate::HostMechanism;
 use crate::scene::Scene;

@@ -5,14 +5,11 @@ use ffrf_runtime::{Increment, State, StepError};
 use nalgebra::{DVector, Quaternion, RealField, UnitQuaternion, convert};
 use num_dual::Dual64;
 
-use super::spin::Spin;
+use super::spin::{Spin, States};
 use crate::mechanism::HostIncrement;
 use crate::scene::{Scene, SensorKind};
 use crate::simulate::read_sensor;
 use crate::{HostMechanism, HostModal};
-
-/// The states of all bodies.
-pub(super) type States<T = f64> = Vec<State<HostModal<T>, T>>;
 
 /// A mechanism in a state, ready for derivatives.
 pub(super) struct Point<'a> {

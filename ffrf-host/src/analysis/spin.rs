@@ -8,9 +8,11 @@ use ffrf_runtime::rotation::cayley_rate;
 use ffrf_runtime::{Increment, State};
 use nalgebra::{RealField, UnitQuaternion, Vector3, convert};
 
-use super::evaluate::States;
 use crate::HostModal;
 use crate::mechanism::HostIncrement;
+
+/// The states of all bodies.
+pub(super) type States<T = f64> = Vec<State<HostModal<T>, T>>;
 
 /// Which symmetry carries a steady rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,8 +4,8 @@ use ffrf_runtime::State;
 use nalgebra::{DMatrix, DVector};
 
 use super::AnalysisError;
-use super::evaluate::{Input, Point, States, slope, value};
-use super::spin::Spin;
+use super::evaluate::{Input, Point, slope, value};
+use super::spin::{Spin, States};
 use super::tangent::Tangent;
 use crate::scene::Scene;
 use crate::{HostMechanism, HostModal};

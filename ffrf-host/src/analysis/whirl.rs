@@ -3,7 +3,7 @@
 use ffrf_runtime::{Motion, Observables as _, PlacedMarker, State};
 use nalgebra::{Complex, DMatrix, DVector, UnitQuaternion, Vector3};
 
-use super::evaluate::States;
+use super::spin::States;
 use crate::{HostMechanism, HostModal};
 
 /// Which way an eigenmode goes round the axis of rotation.

@@ -6,6 +6,7 @@ use ffrf_runtime::State;
 use ffrf_runtime::mechanism::{Assembly, Constrained};
 use nalgebra::Vector3;
 
+use super::consistency::residuals;
 use super::efforts::{Composed, Joints};
 use super::file::SceneFile;
 use super::names::NamedBody;
@@ -171,10 +172,46 @@ impl Scene {
             other => SceneError::Key { key: "bodies".to_owned(), message: other.to_string() },
         };
         let (state, drift) = system.assemble(0.0, self.initial.clone(), ASSEMBLED).map_err(not)?;
+        self.check_rates(&state)?;
         Ok((state, [drift.position, drift.velocity]))
+    }
+
+    /// Whether velocities and accelerations of an assembled state meet the joints, relative to what they are sums of.
+    fn check_rates(&self, state: &[State<HostModal>]) -> Result<(), SceneError> {
+        let found = residuals(&self.mechanism, 0.0, state).map_err(|error| SceneError::Key {
+            key: "bodies".to_owned(),
+            message: format!("the initial accelerations: {error}"),
+        })?;
+        for (level, unit, k, tolerance) in [
+            ("velocities", "(m/s or rad/s)", 1, VELOCITY_MET),
+            ("accelerations", "(m/s² or rad/s²)", 2, ACCELERATION_MET),
+        ] {
+            let mut worst = (0, 0.0_f64);
+            for (joint, one) in found.iter().enumerate() {
+                let share = one.left[k] / one.scale[k];
+                // the first that is not a number stays the worst
+                if share > worst.1 || (share.is_nan() && !worst.1.is_nan()) {
+                    worst = (joint, share);
+                }
+            }
+            let met = worst.1 <= tolerance;
+            if !met {
+                return Err(SceneError::Contradiction {
+                    joint: self.connection_names.get(worst.0).cloned().unwrap_or_default(),
+                    level,
+                    residual: found.get(worst.0).map_or(f64::NAN, |one| one.left[k]),
+                    unit,
+                });
+            }
+        }
+        Ok(())
     }
 }
 
+/// Velocities over the largest that they are sums of: what [`ASSEMBLED`] leaves of positions, and round-off.
+const VELOCITY_MET: f64 = 1e-7;
+/// The same of accelerations, which the regularisation of redundant rows and stiff modes leave less exact.
+const ACCELERATION_MET: f64 = 1e-5;
 /// Residual of an assembled mechanism. Units: m or rad.
 const ASSEMBLED: f64 = 1e-8;
 

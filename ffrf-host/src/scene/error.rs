@@ -64,6 +64,20 @@ pub enum SceneError {
     /// Joints that connect nothing.
     #[error("joints: {0}")]
     Topology(#[from] TopologyError),
+    /// No initial velocities or accelerations meet the joints: they, or their drives, contradict each other.
+    #[error(
+        "joint `{joint}`: no initial {level} meet it, {residual:.3e} {unit} is left: joints or drives contradict each other"
+    )]
+    Contradiction {
+        /// The joint.
+        joint: String,
+        /// `velocities` or `accelerations`.
+        level: &'static str,
+        /// What is left.
+        residual: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
     /// The initial state does not meet the joints and cannot be made to.
     #[error(
         "joint `{joint}`: the initial state misses it by {residual:.3e} (m or rad), and no correction closes it"

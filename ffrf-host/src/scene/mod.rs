@@ -2,6 +2,7 @@
 
 mod bodies;
 mod compose;
+mod consistency;
 mod efforts;
 mod error;
 pub mod file;
@@ -12,6 +13,7 @@ mod sensors;
 mod settings;
 
 pub use compose::Scene;
+pub use consistency::{Residuals, residuals};
 pub use error::SceneError;
 pub use sensors::{Sensor, SensorKind};
 pub use settings::{Coordinates, Integrator, Settings, StepChoice};

@@ -45,6 +45,11 @@ impl Integrator {
         Self::ALL.iter().find(|(_, known)| *known == self).map_or("", |(name, _)| name)
     }
 
+    /// Whether the highest mode limits its step.
+    pub fn is_explicit(self) -> bool {
+        matches!(self, Self::SymplecticEuler | Self::Rk4 | Self::Dopri5)
+    }
+
     /// The treatments of constraints that it goes with; the first is the default.
     pub fn treatments(self) -> &'static [&'static str] {
         match self {

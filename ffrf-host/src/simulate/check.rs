@@ -23,6 +23,8 @@ pub struct SceneCheck {
     pub residuals: Vec<(String, [f64; 2])>,
     /// Largest residuals once assembled.
     pub assembled: [f64; 2],
+    /// Largest residual of the accelerations there. Units: m/s² or rad/s².
+    pub accelerations: f64,
 }
 
 /// A row counts as redundant if less than this of it is new, in the metric of kinetic energy.
@@ -51,6 +53,7 @@ pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
     let residuals = joints(&scene.initial).map_err(refused)?;
     let (state, _) = scene.assembled()?;
     let assembled = joints(&state).map_err(refused)?;
+    let accelerations = crate::scene::residuals(mechanism, 0.0, &state).map_err(refused)?;
     let (gradients, names) = gradients(scene, &state).map_err(refused)?;
     let redundant = redundant(&gradients, &names);
     let velocities = mechanism.bodies().iter().map(|body| 6 + body.mode_count()).sum();
@@ -62,6 +65,7 @@ pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
         redundant,
         residuals: scene.connection_names.iter().cloned().zip(residuals).collect(),
         assembled: assembled.iter().fold([0.0; 2], |sum, one| [sum[0].max(one[0]), sum[1].max(one[1])]),
+        accelerations: accelerations.iter().fold(0.0, |largest, joint| joint.left[2].max(largest)),
     })
 }
 

@@ -2,6 +2,7 @@
 
 mod advance;
 mod check;
+mod events;
 mod run;
 mod sample;
 mod saved_state;
@@ -9,6 +10,7 @@ mod spin;
 
 pub use advance::Advance;
 pub use check::{SceneCheck, check};
+pub use events::{Ended, Event, EventFunction, Then, run_with_events};
 pub use run::{Progress, SimulationError, Summary, simulate};
 pub(crate) use sample::read as read_sensor;
 pub use sample::{Sample, header};

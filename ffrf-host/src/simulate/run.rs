@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::sample::sample;
 use super::spin::SpinWatch;
 use super::{Advance, Sample, SavedState, SpinWarning, StateError};
-use crate::scene::{Integrator, Scene, SceneError};
+use crate::scene::{Scene, SceneError};
 
 /// Where a simulation is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,7 +113,7 @@ fn reason(scene: &Scene, error: StepError) -> String {
         StepError::ConstraintsNotMet { joint, residual } => {
             let name = scene.connection_names.get(joint).map_or("?", String::as_str);
             // With the stiff modes taken implicitly their frequency is no limit.
-            let explicit = scene.settings.integrator != Integrator::LinearlyImplicit;
+            let explicit = scene.settings.integrator.is_explicit();
             let limit = scene
                 .mechanism
                 .largest_stable_step()

@@ -1,10 +1,12 @@
 //! Accelerations and multipliers of random mechanisms against a dense solve of the same equations from naive bodies.
 
-use ffrf_runtime::mechanism::Constrained;
+use ffrf_runtime::joints::{Fixed, JointKind, Prismatic, Revolute, Spherical};
+use ffrf_runtime::mechanism::{Attachment, Connection, Constrained};
 use ffrf_runtime::{System, VectorSpace};
+use ffrf_test_kit::random::Random;
 
 use super::dense::{Evaluation, Saddle, Stage, evaluate, free_equations};
-use super::graphs::{Case, SHAPES, Shape, random_case};
+use super::graphs::{Case, SHAPES, Shape, attachment, case, random_case};
 use super::tolerances::{RESIDUAL, SOLVED, left_by_regularisation};
 
 /// Beyond this the system counts as singular: the random joints hold what cannot be held. See `redundant` for those.
@@ -99,4 +101,34 @@ fn stages_of_linearly_implicit_steps_are_a_dense_solve_too() {
         tally.add(case, &evaluate(case, &case.states, 0.0, stage), stage);
     });
     tally.tell("linearly implicit stages");
+}
+
+/// A body that is held at a point can do nothing there: a joint at the same point must not be measured by it alone.
+#[test]
+fn joints_at_one_point_lose_no_digits() {
+    let mut tally = Tally::new();
+    let (spherical, fixed) = (JointKind::Spherical(Spherical), JointKind::Fixed(Fixed));
+    let (revolute, prismatic) = (JointKind::Revolute(Revolute), JointKind::Prismatic(Prismatic));
+    for kinds in
+        [[spherical, spherical, fixed], [prismatic, revolute, fixed], [revolute, spherical, spherical]]
+    {
+        for (seed, modes) in [(1, [0, 0, 0]), (2, [2, 0, 3]), (3, [5, 1, 4]), (4, [0, 4, 0])] {
+            let mut random = Random::new(seed);
+            let ends = [None, Some(0), Some(1), Some(2)].map(|body| attachment(body, &mut random));
+            let at_one_point = |end: Attachment<f64>| Attachment { marker: 0, ..end };
+            let joints = kinds.iter().enumerate().map(|(k, kind)| {
+                let connection = Connection {
+                    kind: *kind,
+                    first: at_one_point(ends[k]),
+                    second: at_one_point(ends[k + 1]),
+                };
+                (connection, None)
+            });
+            let joints = joints.collect();
+            let case = case(format!("{kinds:?}, seed {seed}"), &modes, joints, seed, &mut random);
+            tally.add(&case, &evaluate(&case, &case.states, 0.0, None), None);
+        }
+    }
+    tally.tell("joints at one point");
+    assert_eq!(tally.singular, 0);
 }

@@ -13,9 +13,9 @@ pub struct MarkerMotion<T: RealField + Copy = f64> {
     pub position: Vector3<T>,
     /// Orientation of the marker's triad: that of the body frame and the Cayley map of the small rotation.
     pub orientation: UnitQuaternion<T>,
-    /// The axes of the triad as columns: the matrix of [`orientation`](Self::orientation), but for means over a step, where
-    /// they are the means of the axes. Shape: 3 x 3. Units: 1. Frame: inertial.
-    pub axes: Matrix3<T>,
+    /// Means of the axes of the triad at both ends of a step, as columns, where this is the mean of a motion; they are no
+    /// triad. Else the axes are those of [`orientation`](Self::orientation). Shape: 3 x 3. Units: 1. Frame: inertial.
+    pub mean_axes: Option<Matrix3<T>>,
     /// Velocity. Shape: 3. Units: m/s. Frame: inertial.
     pub velocity: Vector3<T>,
     /// Angular velocity of the triad. Shape: 3. Units: rad/s. Frame: inertial.
@@ -33,7 +33,7 @@ impl<T: RealField + Copy> MarkerMotion<T> {
         Self {
             position,
             orientation,
-            axes: orientation.to_rotation_matrix().into_inner(),
+            mean_axes: None,
             velocity: zero,
             angular_velocity: zero,
             acceleration_bias: zero,
@@ -41,13 +41,24 @@ impl<T: RealField + Copy> MarkerMotion<T> {
         }
     }
 
+    /// The axes of the triad as columns. Shape: 3 x 3. Units: 1. Frame: inertial.
+    pub fn axes(&self) -> Matrix3<T> {
+        self.mean_axes.unwrap_or_else(|| columns(&self.orientation))
+    }
+
     /// The same motion of a triad that is turned in this one.
     #[must_use]
     pub fn turned(mut self, orientation: &UnitQuaternion<T>) -> Self {
         self.orientation *= *orientation;
-        self.axes *= orientation.to_rotation_matrix().into_inner();
+        self.mean_axes = self.mean_axes.map(|axes| axes * columns(orientation));
         self
     }
+}
+
+/// The matrix of a rotation; an axis that it leaves where it is stays there to the last bit.
+fn columns<T: RealField + Copy>(orientation: &UnitQuaternion<T>) -> Matrix3<T> {
+    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+    Matrix3::from_columns(&axes.map(|axis| orientation.transform_vector(&axis)))
 }
 
 /// A force and a moment at a marker, or a row of a constraint: dual to the marker's velocities.
@@ -105,11 +116,10 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
         let slowing = self.rotation.half.dot(&turning) * self.rotation.share;
         let gyration = omega.cross(&spin) - spin * slowing;
         let inertial = |vector: &Vector3<T>| self.orientation.transform_vector(vector);
-        let orientation = self.orientation * cayley(&(self.rotation.half * two));
         MarkerMotion {
             position: state.position + inertial(&arm),
-            orientation,
-            axes: orientation.to_rotation_matrix().into_inner(),
+            orientation: self.orientation * cayley(&(self.rotation.half * two)),
+            mean_axes: None,
             velocity: state.velocity + inertial(&carried),
             angular_velocity: inertial(&(omega + spin)),
             acceleration_bias: inertial(&centripetal),

@@ -23,6 +23,17 @@ const STAGES: [&[f64]; 6] = [
 const ERROR: [f64; 7] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
 
+/// Weights of the stages in the last term of the dense output.
+const DENSE: [f64; 7] = [
+    -12715105075.0 / 11282082432.0,
+    0.0,
+    87487479700.0 / 32700410799.0,
+    -10690763975.0 / 1880347072.0,
+    701980252875.0 / 199316789632.0,
+    -1453857185.0 / 822651844.0,
+    69997945.0 / 29380423.0,
+];
+
 /// One step of the method of Dormand and Prince, order 5, explicit, with the error of the embedded method of order 4.
 ///
 /// Seven evaluations of the accelerations; no allocation, bounded work.
@@ -35,7 +46,7 @@ pub fn step_dormand_prince<S: System<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
-    let (slope, error) = stages(system, state, time, step)?;
+    let Stages { slope, error, .. } = stages(system, state, time, step)?;
     finish(system, time + step, state, &slope, &error, None)
 }
 
@@ -60,30 +71,100 @@ pub fn try_dormand_prince<S: System<T>, T: RealField + Copy>(
     step: T,
     tolerances: &Tolerances<T>,
 ) -> Result<ControlledStep<S::State, T>, StepError> {
+    try_dormand_prince_dense(system, state, time, step, tolerances).map(|(tried, _)| tried)
+}
+
+/// The way of a step of Dormand and Prince between its ends, of order 4.
+///
+/// Source: Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.6 and the program DOPRI5.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DenseOutput<I> {
+    /// Terms of the polynomial in the share of the step, nested.
+    terms: [I; 4],
+}
+
+impl<I> DenseOutput<I> {
+    fn new<T: RealField + Copy>(slope: &I, slopes: &[I; 7], step: T) -> Self
+    where
+        I: VectorSpace<T>,
+    {
+        let [first, .., last] = slopes;
+        // h k_1 - Δy, and Δy - h k_7 - that
+        let mut begin = first.clone();
+        begin.scale(step);
+        begin.add_scaled(-T::one(), slope);
+        let mut end = slope.clone();
+        end.add_scaled(-step, last);
+        end.add_scaled(-T::one(), &begin);
+        let mut inner = first.clone();
+        inner.scale(T::zero());
+        for (weight, slope) in DENSE.iter().zip(slopes) {
+            inner.add_scaled(step * nalgebra::convert(*weight), slope);
+        }
+        Self { terms: [slope.clone(), begin, end, inner] }
+    }
+
+    /// The increment from the beginning of the step at a `share` in [0, 1] of it; constraints are not met by it.
+    pub fn increment<T: RealField + Copy>(&self, share: T) -> I
+    where
+        I: VectorSpace<T>,
+    {
+        let [slope, begin, end, inner] = &self.terms;
+        let rest = T::one() - share;
+        let mut increment = slope.clone();
+        increment.scale(share);
+        increment.add_scaled(share * rest, begin);
+        increment.add_scaled(share * share * rest, end);
+        increment.add_scaled(share * share * rest * rest, inner);
+        increment
+    }
+}
+
+/// A try of a step, and the way between its ends if it is accepted.
+type DenseStep<S, I, T> = (ControlledStep<S, T>, Option<DenseOutput<I>>);
+
+/// [`try_dormand_prince`] with the way between both ends of an accepted step, for events and outputs. Errors: as there.
+pub fn try_dormand_prince_dense<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    state: &S::State,
+    time: T,
+    step: T,
+    tolerances: &Tolerances<T>,
+) -> Result<DenseStep<S::State, S::Increment, T>, StepError> {
     let (fifth, safety, most): (T, T, T) =
         (nalgebra::convert(0.2), nalgebra::convert(0.9), nalgebra::convert(5.0));
-    let (slope, error) = stages(system, state, time, step)?;
+    let Stages { slope, error, slopes } = stages(system, state, time, step)?;
     let ratio = system.weighted_error(state, &error, tolerances);
     // not a number counts as far too large
     if !ratio.is_finite() {
-        return Ok(ControlledStep { accepted: None, next_step: step * fifth });
+        return Ok((ControlledStep { accepted: None, next_step: step * fifth }, None));
     }
     let factor = if ratio > T::zero() { safety * ratio.powf(-fifth) } else { most };
     let next_step = step * factor.max(fifth).min(most);
     if ratio > T::one() {
-        return Ok(ControlledStep { accepted: None, next_step: next_step.min(step * safety) });
+        return Ok((ControlledStep { accepted: None, next_step: next_step.min(step * safety) }, None));
     }
     let accepted = finish(system, time + step, state, &slope, &error, None)?;
-    Ok(ControlledStep { accepted: Some(accepted), next_step })
+    let dense = DenseOutput::new(&slope, &slopes, step);
+    Ok((ControlledStep { accepted: Some(accepted), next_step }, Some(dense)))
 }
 
-/// The increment of order five and the estimate of its error.
+/// What the stages of a step give.
+struct Stages<I> {
+    /// The increment of order five.
+    slope: I,
+    /// The estimate of its error.
+    error: I,
+    /// The rates in each stage; the last is at the end of the step.
+    slopes: [I; 7],
+}
+
 fn stages<S: System<T>, T: RealField + Copy>(
     system: &S,
     state: &S::State,
     time: T,
     step: T,
-) -> Result<(S::Increment, S::Increment), StepError> {
+) -> Result<Stages<S::Increment>, StepError> {
     let h = checked_step_size(step)?;
     if !system.is_finite(state) {
         return Err(StepError::NonFiniteState);
@@ -107,5 +188,5 @@ fn stages<S: System<T>, T: RealField + Copy>(
     for (weight, slope) in ERROR.iter().zip(&slopes) {
         error.add_scaled(h * nalgebra::convert(*weight), slope);
     }
-    Ok((increment, error))
+    Ok(Stages { slope: increment, error, slopes })
 }

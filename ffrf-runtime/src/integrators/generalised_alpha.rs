@@ -55,12 +55,14 @@ struct Parameters<T> {
 }
 
 impl<T: RealField + Copy> GeneralisedAlpha<T> {
-    /// Moderate damping of what the step does not resolve (ρ∞ = 0.8), at most 20 iterations, places to ten digits.
+    /// Moderate damping of what the step does not resolve (ρ∞ = 0.8), at most 20 iterations, places to ten digits, or to
+    /// what the number type has.
     pub fn new() -> Self {
+        let relative = nalgebra::convert::<f64, T>(1e-10).max(T::default_epsilon() * nalgebra::convert(64.0));
         Self {
             spectral_radius: nalgebra::convert(0.8),
             iterations: 20,
-            tolerances: Tolerances { relative: nalgebra::convert(1e-10), absolute: nalgebra::convert(1e-12) },
+            tolerances: Tolerances { relative, absolute: relative * nalgebra::convert(0.01) },
         }
     }
 

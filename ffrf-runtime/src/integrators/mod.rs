@@ -11,7 +11,9 @@ mod step;
 mod symplectic_euler;
 mod system;
 
-pub use dormand_prince::{ControlledStep, step_dormand_prince, try_dormand_prince};
+pub use dormand_prince::{
+    ControlledStep, DenseOutput, step_dormand_prince, try_dormand_prince, try_dormand_prince_dense,
+};
 pub use energy_momentum::EnergyMomentum;
 pub use exponential::{ExponentialSystem, Forcing, step_exponential};
 pub use generalised_alpha::{AlphaMemory, GeneralisedAlpha};

@@ -2,7 +2,7 @@
 //!
 //! The unknowns are grouped in nodes: the six accelerations of each body's frame, the multipliers of each joint. The
 //! matrix [Z Yᵀ; Y -E] is quasi-definite, so it has factors in every order in which a joint follows one of its bodies,
-//! without pivoting; which order costs least is decided when the mechanism is composed
+//! without pivoting; which order costs least, and keeps pivots regular in trees, is decided when the mechanism is composed
 //! (R. J. Vanderbei, Symmetric quasidefinite matrices, SIAM J. Optim. 5 (1995) 100-113;
 //! D. Baraff, Linear-time dynamics using Lagrange multipliers, SIGGRAPH 1996).
 

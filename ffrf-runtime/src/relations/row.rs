@@ -80,6 +80,6 @@ impl<T: RealField + Copy> Rows<T> {
 
 /// The axes of a triad. Frame: inertial.
 pub(crate) fn axes<T: RealField + Copy>(motion: &MarkerMotion<T>) -> [Vector3<T>; 3] {
-    let axes = &motion.axes;
+    let axes = motion.axes();
     [axes.column(0).into(), axes.column(1).into(), axes.column(2).into()]
 }

@@ -1,7 +1,10 @@
 //! Mechanisms of `mechanism!`: a chain that is a tree, and a driven slider-crank whose loop has redundant rows.
 
-use ffrf::mechanism::{Assembly, Mechanism};
-use ffrf::{flexible_body, mechanism, step_dormand_prince, step_symplectic_euler};
+use ffrf::mechanism::{Assembly, Constrained, Mechanism, Treatment};
+use ffrf::{
+    EnergyMomentum, GeneralisedAlpha, flexible_body, mechanism, step_dormand_prince, step_exponential,
+    step_linearly_implicit_euler, step_symplectic_euler,
+};
 
 flexible_body! {
     /// The steel connecting rod of `models/conrod`.
@@ -63,6 +66,9 @@ pub fn they_move() -> bool {
     if crank.assemble().is_err() || !every_integrator(&mut crank, 2e-6) {
         return false;
     }
+    let mut iterated = crank;
+    iterated.model.treatment = Treatment::Index3;
+    let iterating = implicit_methods(&mut iterated, 2e-6);
     let restored = model.state_from_array(&crank.state.to_array());
     let turned = (model.turn(&crank.state) - 100.0 * crank.time).abs() < 1e-9;
     let pulled = model.bearing(crank.time, &crank.state).is_ok_and(|force| force.norm() > 1.0);
@@ -79,6 +85,7 @@ pub fn they_move() -> bool {
         && model.stroke(&crank.state).x < 0.04 - BIG_END + SMALL_END
         && falling.assemble().is_ok()
         && every_integrator(&mut falling, 2e-6)
+        && iterating
         && chain.end(&falling.state).y < before.y
         && chain.shock(falling.time, &falling.state).is_ok_and(|shock| shock.y < -1.0)
 }
@@ -91,10 +98,35 @@ fn every_integrator<A: Assembly<f64>>(mechanism: &mut Mechanism<A>, step: f64) -
         let all = fine(mechanism.step_rk4(step))
             && fine(mechanism.step_linearly_implicit(10.0 * step))
             && fine(mechanism.step_with(step, step_dormand_prince))
-            && fine(mechanism.step_with(0.1 * step, step_symplectic_euler));
+            && fine(mechanism.step_with(0.1 * step, step_symplectic_euler))
+            && fine(mechanism.step_with(step, step_linearly_implicit_euler));
         if !all {
             return false;
         }
     }
     true
+}
+
+/// Methods that iterate: joints met at the end of each step, and no exponential step where joints hold what modes move.
+fn implicit_methods<A: Assembly<f64>>(mechanism: &mut Mechanism<A>, step: f64) -> bool {
+    let method = GeneralisedAlpha::new();
+    let Ok(mut memory) = method.start(&Constrained(&mechanism.model), &mechanism.state, mechanism.time, step)
+    else {
+        return false;
+    };
+    for _ in 0..20 {
+        let damped = mechanism.step_with(step, |system, state, time, step| {
+            method.step(system, &mut memory, state, time, step)
+        });
+        let kept = mechanism.step_with(step, |system, state, time, step| {
+            EnergyMomentum::new().step(system, state, time, step)
+        });
+        let met = |report: Result<ffrf::StepReport, ffrf::StepError>| {
+            report.is_ok_and(|report| report.drift.position < 1e-9 && report.iterations > 0)
+        };
+        if !met(damped) || !met(kept) {
+            return false;
+        }
+    }
+    mechanism.step_with(step, step_exponential) == Err(ffrf::StepError::ModesNotSeparate)
 }

@@ -1,15 +1,14 @@
 //! Generated C: committed texts are up to date, compilers have nothing to complain about, and it computes what Rust does.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
-#[path = "golden/bodies.rs"]
+#[path = "../golden/bodies.rs"]
 mod bodies;
-#[path = "golden/c_program.rs"]
 mod c_program;
 #[rustfmt::skip]
-#[path = "golden/general_m2.rs"]
+#[path = "../golden/general_m2.rs"]
 mod general_m2;
 #[rustfmt::skip]
-#[path = "golden/single_m3.rs"]
+#[path = "../golden/single_m3.rs"]
 mod single_m3;
 
 use std::path::Path;
