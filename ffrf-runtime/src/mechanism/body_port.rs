@@ -208,24 +208,17 @@ where
 
     fn attach(&mut self, slot: usize, marker: usize, gradients: &[Wrench<T>], effects: &mut [[T; 6]]) {
         let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
+        let placed = PlacedMarker::new(marker, &self.state);
+        let spanned = self.span.as_ref().map(|(span, _)| SpanMarker::new(marker, span));
         let places = self.rows.as_mut().iter_mut().skip(slot).zip(effects);
-        let take = |force_of: &dyn Fn(&Wrench<T>) -> GeneralisedForce<B::Modal, T>| {
-            for (gradient, (place, effect)) in gradients.iter().zip(places) {
-                let force = force_of(gradient);
-                *effect = eliminated.reduced_force(&force).into();
-                let weighted = eliminated.modal.solve(&force.modal);
-                *place = AttachedRow { modal: force.modal, weighted };
-            }
-        };
-        match &self.span {
-            Some((span, _)) => {
-                let marker = SpanMarker::new(marker, span);
-                take(&|gradient| marker.generalised_force(gradient));
-            }
-            None => {
-                let placed = PlacedMarker::new(marker, &self.state);
-                take(&|gradient| placed.generalised_force(gradient));
-            }
+        for (gradient, (place, effect)) in gradients.iter().zip(places) {
+            let force = match &spanned {
+                Some(spanned) => spanned.generalised_force(gradient),
+                None => placed.generalised_force(gradient),
+            };
+            *effect = eliminated.reduced_force(&force).into();
+            let weighted = eliminated.modal.solve(&force.modal);
+            *place = AttachedRow { modal: force.modal, weighted };
         }
     }
 
