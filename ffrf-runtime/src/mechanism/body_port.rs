@@ -202,17 +202,24 @@ where
         self.eliminated.as_ref().map_or([[T::zero(); 6]; 6], |eliminated| eliminated.remaining.into())
     }
 
-    fn attach(&mut self, slot: usize, marker: usize, gradient: &Wrench<T>) -> [T; 6] {
-        let (Some(force), Some(eliminated)) = (self.generalised_force(marker, gradient), &self.eliminated)
-        else {
-            return [T::zero(); 6];
-        };
-        let rigid = eliminated.reduced_force(&force);
-        let weighted = eliminated.modal.solve(&force.modal);
-        if let Some(row) = self.rows.as_mut().get_mut(slot) {
-            *row = AttachedRow { modal: force.modal, weighted };
+    fn has_modes(&self) -> bool {
+        !self.alone.as_slice().is_empty()
+    }
+
+    fn attach(&mut self, slot: usize, marker: usize, gradients: &[Wrench<T>], effects: &mut [[T; 6]]) {
+        let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
+        let placed = PlacedMarker::new(marker, &self.state);
+        let spanned = self.span.as_ref().map(|(span, _)| SpanMarker::new(marker, span));
+        let places = self.rows.as_mut().iter_mut().skip(slot).zip(effects);
+        for (gradient, (place, effect)) in gradients.iter().zip(places) {
+            let force = match &spanned {
+                Some(spanned) => spanned.generalised_force(gradient),
+                None => placed.generalised_force(gradient),
+            };
+            *effect = eliminated.reduced_force(&force).into();
+            let weighted = eliminated.modal.solve(&force.modal);
+            *place = AttachedRow { modal: force.modal, weighted };
         }
-        rigid.into()
     }
 
     fn compliance(&self, slot: usize, other: usize) -> T {

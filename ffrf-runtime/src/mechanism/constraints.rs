@@ -3,10 +3,10 @@
 use nalgebra::RealField;
 
 use super::{Connection, Plan, Ports};
-use crate::body::MarkerMotion;
+use crate::body::{MarkerMotion, Wrench};
 use crate::integrators::StepError;
 use crate::joints::Joint;
-use crate::relations::Rows;
+use crate::relations::{MOST_ROWS, Rows};
 
 /// How redundant rows are dealt with: the proximal method, exact for consistent redundant rows, reactions of least norm.
 ///
@@ -114,7 +114,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     ///
     /// Errors: a body or the system has no factors.
     pub fn factor(&mut self) -> Result<T, StepError> {
-        self.storage.values.fill(T::zero());
+        halves(self.storage.values).0.fill(T::zero());
         for (index, place) in self.plan.bodies.iter().enumerate() {
             let Some(port) = self.ports.port_mut(index) else { continue };
             port.factor()?;
@@ -137,11 +137,15 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             }
         }
         let (factors, matrix) = halves(self.storage.values);
-        copy(matrix, factors);
-        for place in self.plan.joints {
-            for k in 0..place.rows {
-                let shift = get(self.storage.shift, place.unknowns + k);
-                add(factors, place.diagonal + (place.rows + 1) * k, -shift);
+        if self.regularisation.refinements > 0 {
+            copy(matrix, factors);
+        }
+        if self.regularisation.share > T::zero() {
+            for place in self.plan.joints {
+                for k in 0..place.rows {
+                    let shift = get(self.storage.shift, place.unknowns + k);
+                    add(factors, place.diagonal + (place.rows + 1) * k, -shift);
+                }
             }
         }
         self.plan.elimination.factor(factors).ok_or(StepError::MassNotPositive)
@@ -156,12 +160,36 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             let marker = if side == 0 { connection.first.marker } else { connection.second.marker };
             let diagonal = self.plan.bodies.get(end.body).map_or(0, |body| body.diagonal);
             let Some(port) = self.ports.port_mut(end.body) else { continue };
-            for (k, row) in rows.as_slice().iter().enumerate() {
-                let gradient = if side == 0 { &row.first } else { &row.second };
-                let effect = port.attach(end.slot + k, marker, gradient);
-                let mut scale = port.compliance(end.slot + k, end.slot + k);
+            let mut gradients = [Wrench::zero(); MOST_ROWS];
+            for (gradient, row) in gradients.iter_mut().zip(rows.as_slice()) {
+                *gradient = if side == 0 { row.first } else { row.second };
+            }
+            let gradients = gradients.get(..rows.as_slice().len()).unwrap_or(&[]);
+            let mut effects = [[T::zero(); 6]; MOST_ROWS];
+            port.attach(end.slot, marker, gradients, &mut effects);
+            for (k, effect) in effects.iter().enumerate().take(gradients.len()) {
                 for (i, entry) in effect.iter().enumerate() {
                     add(self.storage.values, end.block.entry(k, i), *entry);
+                }
+            }
+            if port.has_modes() {
+                for i in 0..place.rows {
+                    for j in 0..=i {
+                        let compliance = port.compliance(end.slot + i, end.slot + j);
+                        add(self.storage.values, place.diagonal + place.rows * i + j, -compliance);
+                        if i != j {
+                            add(self.storage.values, place.diagonal + place.rows * j + i, -compliance);
+                        }
+                    }
+                }
+            }
+            if self.regularisation.share <= T::zero() {
+                continue;
+            }
+            for (k, effect) in effects.iter().enumerate().take(gradients.len()) {
+                let mut scale =
+                    if port.has_modes() { port.compliance(end.slot + k, end.slot + k) } else { T::zero() };
+                for (i, entry) in effect.iter().enumerate() {
                     let mass = get(self.storage.values, diagonal + 7 * i);
                     if mass > T::zero() {
                         scale += *entry * *entry / mass;
@@ -172,12 +200,6 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                     set(self.storage.shift, place.unknowns + k, shift);
                 } else {
                     add(self.storage.shift, place.unknowns + k, shift);
-                }
-            }
-            for i in 0..place.rows {
-                for j in 0..place.rows {
-                    let compliance = port.compliance(end.slot + i, end.slot + j);
-                    add(self.storage.values, place.diagonal + place.rows * i + j, -compliance);
                 }
             }
         }

@@ -33,8 +33,10 @@ pub trait Port<T: RealField + Copy> {
     fn factor(&mut self) -> Result<(), StepError>;
     /// Z, what the mass matrix leaves for rigid motion, row by row. Shape: 6 x 6.
     fn rigid_mass(&self) -> [[T; 6]; 6];
-    /// Attaches constraint row `slot`: its gradient at a marker. Returns its effect on the frame. Shape: 6.
-    fn attach(&mut self, slot: usize, marker: usize, gradient: &Wrench<T>) -> [T; 6];
+    /// Whether it has modes, through which rows are coupled.
+    fn has_modes(&self) -> bool;
+    /// Attaches constraint rows from `slot` on: their gradients at a marker. Gives the effect of each on the frame.
+    fn attach(&mut self, slot: usize, marker: usize, gradients: &[Wrench<T>], effects: &mut [[T; 6]]);
     /// The compliance of the modes between two attached rows.
     fn compliance(&self, slot: usize, other: usize) -> T;
     /// Takes the forces as the right-hand side; returns the force on the frame with the modes eliminated. Shape: 6.

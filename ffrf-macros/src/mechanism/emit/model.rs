@@ -236,7 +236,7 @@ fn no_modes(body: &Body, scalar: Scalar) -> Option<TokenStream> {
     let Nature::Rigid(kind) = &body.nature else { return None };
     let t = if scalar == Scalar::F32 { quote!(f32) } else { quote!(f64) };
     let message = format!("body `{}` is said to be rigid, but its type has modes", body.name);
-    Some(quote::quote_spanned! { syn::spanned::Spanned::span(kind) =>
+    Some(quote! {
         const _: () = ::core::assert!(
             ::core::mem::size_of::<<#kind as ::ffrf::FlexibleBody<#t>>::Modal>() == 0,
             #message
