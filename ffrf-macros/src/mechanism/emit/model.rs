@@ -1,7 +1,8 @@
 //! The model: bodies, drives and forces to change, joints and markers that stay.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{quote, quote_spanned};
+use syn::spanned::Spanned as _;
 
 use super::{Names, field_type, markers_of, modal};
 use crate::mechanism::bodies::{Body, Nature, UsedMarker};
@@ -236,7 +237,7 @@ fn no_modes(body: &Body, scalar: Scalar) -> Option<TokenStream> {
     let Nature::Rigid(kind) = &body.nature else { return None };
     let t = if scalar == Scalar::F32 { quote!(f32) } else { quote!(f64) };
     let message = format!("body `{}` is said to be rigid, but its type has modes", body.name);
-    Some(quote! {
+    Some(quote_spanned! { kind.span() =>
         const _: () = ::core::assert!(
             ::core::mem::size_of::<<#kind as ::ffrf::FlexibleBody<#t>>::Modal>() == 0,
             #message
