@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use ffrf_codegen::mechanism::{KNOWN_JOINTS, KnownJoint};
 use ffrf_runtime::joints::{
     Angle, ConstantOrientation, Cylindrical, Distance, Fixed, Generic, InLine, InPlane, JointKind, Planar,
     Prismatic, Revolute, Spherical, Travel, Universal,
@@ -15,22 +16,6 @@ use super::file::{FunctionValue, JointTable, Vector};
 use super::names::{NamedBody, attachment};
 use crate::HostModal;
 use crate::mechanism::{Drive, Formula, Table};
-
-/// Every kind of joint by its name in scene files.
-const KINDS: [&str; 12] = [
-    "fixed",
-    "revolute",
-    "spherical",
-    "universal",
-    "cylindrical",
-    "prismatic",
-    "planar",
-    "distance",
-    "in_line",
-    "in_plane",
-    "constant_orientation",
-    "generic",
-];
 
 /// A joint as composed: its connection, and that of its drive.
 pub(super) struct ComposedJoint {
@@ -67,16 +52,11 @@ pub(super) fn joint(
                 (None, Some(position)) => (JointKind::Travel(Travel), position),
                 _ => return Err(SceneError::value(key, "either `angle` or `position`", "both or neither")),
             };
-            let can = match kind {
-                JointKind::Angle(_) => {
-                    matches!(connection.kind, JointKind::Revolute(_) | JointKind::Cylindrical(_))
-                }
-                _ => matches!(
-                    connection.kind,
-                    JointKind::Prismatic(_) | JointKind::Cylindrical(_) | JointKind::InLine(_)
-                ),
+            let can = |known: &KnownJoint| match kind {
+                JointKind::Angle(_) => known.has_angle,
+                _ => known.has_travel,
             };
-            if !can {
+            if !KnownJoint::find(&table.kind).is_some_and(can) {
                 return Err(SceneError::value(
                     key,
                     "an angle of a revolute or cylindrical joint, or a position of a prismatic, cylindrical or in_line one",
@@ -146,7 +126,7 @@ fn kind(key: &str, table: &JointTable, ends: &[MarkerMotion; 2]) -> Result<Joint
                 key: format!("{key}.kind"),
                 kind: "kind of joint",
                 found: other.escape_debug().to_string(),
-                known: KINDS.join(", "),
+                known: KNOWN_JOINTS.map(|joint| joint.name).join(", "),
             });
         }
     })
@@ -208,6 +188,24 @@ pub(super) fn function_of_time(
             Formula::parse(text)
                 .map(Drive::Formula)
                 .map_err(|error| SceneError::Key { key: key.to_owned(), message: error.to_string() })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_known_joint_can_stand_in_a_scene() {
+        let place = |x: f64| MarkerMotion::fixed(Vector3::new(x, 0.0, 0.0), UnitQuaternion::identity());
+        for known in &KNOWN_JOINTS {
+            let held = if known.rows.is_none() { "translation = [true, false, false]" } else { "" };
+            let text = format!("kind = \"{}\"\nfirst = \"ground\"\nsecond = \"body\"\n{held}", known.name);
+            let table: JointTable = toml::from_str(&text).unwrap();
+            let found = kind("joints.one", &table, &[place(0.0), place(1.0)]).unwrap();
+            assert_eq!(found.row_count(), known.rows.unwrap_or(1), "{}", known.name);
+            assert!(format!("{found:?}").starts_with(known.type_name), "{found:?}");
         }
     }
 }
