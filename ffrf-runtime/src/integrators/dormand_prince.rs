@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::finish;
+use super::system::{begin, finish};
 use super::{StepError, StepReport, System, Tolerances, VectorSpace};
 
 /// Nodes of the stages.
@@ -71,7 +70,7 @@ pub fn try_dormand_prince<S: System<T>, T: RealField + Copy>(
     step: T,
     tolerances: &Tolerances<T>,
 ) -> Result<ControlledStep<S::State, T>, StepError> {
-    try_dormand_prince_dense(system, state, time, step, tolerances).map(|(tried, _)| tried)
+    controlled(system, state, time, step, tolerances, &stages(system, state, time, step)?)
 }
 
 /// The way of a step of Dormand and Prince between its ends, of order 4.
@@ -84,10 +83,11 @@ pub struct DenseOutput<I> {
 }
 
 impl<I> DenseOutput<I> {
-    fn new<T: RealField + Copy>(slope: &I, slopes: &[I; 7], step: T) -> Self
+    fn new<T: RealField + Copy>(stages: &Stages<I>, step: T) -> Self
     where
         I: VectorSpace<T>,
     {
+        let Stages { slope, slopes, .. } = stages;
         let [first, .., last] = slopes;
         // h k_1 - Δy, and Δy - h k_7 - that
         let mut begin = first.clone();
@@ -131,22 +131,35 @@ pub fn try_dormand_prince_dense<S: System<T>, T: RealField + Copy>(
     step: T,
     tolerances: &Tolerances<T>,
 ) -> Result<DenseStep<S::State, S::Increment, T>, StepError> {
+    let stages = stages(system, state, time, step)?;
+    let tried = controlled(system, state, time, step, tolerances, &stages)?;
+    let dense = tried.accepted.is_some().then(|| DenseOutput::new(&stages, step));
+    Ok((tried, dense))
+}
+
+/// Whether a step with these stages is accepted, and what to try next.
+fn controlled<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    state: &S::State,
+    time: T,
+    step: T,
+    tolerances: &Tolerances<T>,
+    stages: &Stages<S::Increment>,
+) -> Result<ControlledStep<S::State, T>, StepError> {
     let (fifth, safety, most): (T, T, T) =
         (nalgebra::convert(0.2), nalgebra::convert(0.9), nalgebra::convert(5.0));
-    let Stages { slope, error, slopes } = stages(system, state, time, step)?;
-    let ratio = system.weighted_error(state, &error, tolerances);
+    let ratio = system.weighted_error(state, &stages.error, tolerances);
     // not a number counts as far too large
     if !ratio.is_finite() {
-        return Ok((ControlledStep { accepted: None, next_step: step * fifth }, None));
+        return Ok(ControlledStep { accepted: None, next_step: step * fifth });
     }
     let factor = if ratio > T::zero() { safety * ratio.powf(-fifth) } else { most };
     let next_step = step * factor.max(fifth).min(most);
     if ratio > T::one() {
-        return Ok((ControlledStep { accepted: None, next_step: next_step.min(step * safety) }, None));
+        return Ok(ControlledStep { accepted: None, next_step: next_step.min(step * safety) });
     }
-    let accepted = finish(system, time + step, state, &slope, &error, None)?;
-    let dense = DenseOutput::new(&slope, &slopes, step);
-    Ok((ControlledStep { accepted: Some(accepted), next_step }, Some(dense)))
+    let accepted = finish(system, time + step, state, &stages.slope, &stages.error, None)?;
+    Ok(ControlledStep { accepted: Some(accepted), next_step })
 }
 
 /// What the stages of a step give.
@@ -165,10 +178,7 @@ fn stages<S: System<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<Stages<S::Increment>, StepError> {
-    let h = checked_step_size(step)?;
-    if !system.is_finite(state) {
-        return Err(StepError::NonFiniteState);
-    }
+    let h = begin(system, state, step)?;
     let none = system.no_change(state);
     let mut slopes: [S::Increment; 7] = core::array::from_fn(|_| none.clone());
     let mut increment = none.clone();

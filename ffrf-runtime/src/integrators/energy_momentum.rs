@@ -9,8 +9,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::{ConservingSystem, displaced, finish};
+use super::system::{ConservingSystem, begin, displaced, finish};
 use super::{StepError, StepReport, Tolerances, VectorSpace};
 
 /// The energy-momentum method: order 2, symmetric in time; when its equations count as solved.
@@ -48,10 +47,7 @@ impl<T: RealField + Copy> EnergyMomentum<T> {
         time: T,
         step: T,
     ) -> Result<(S::State, StepReport<T>), StepError> {
-        let h = checked_step_size(step)?;
-        if !system.is_finite(state) {
-            return Err(StepError::NonFiniteState);
-        }
+        let h = begin(system, state, step)?;
         let half = h * nalgebra::convert(0.5);
         let mut velocities = system.no_change(state);
         let mut residual = T::zero();
@@ -82,10 +78,7 @@ impl<T: RealField + Copy> EnergyMomentum<T> {
                 return Ok((state, StepReport { iterations: iteration, ..report }));
             }
         }
-        Err(StepError::NotConverged {
-            iterations: self.iterations,
-            residual: nalgebra::try_convert(residual).unwrap_or(f64::NAN),
-        })
+        Err(StepError::not_converged(self.iterations, residual))
     }
 }
 

@@ -14,8 +14,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::finish;
+use super::system::{begin, finish};
 use super::{StepError, StepReport, System, VectorSpace};
 
 /// Which answer of the modes is asked for.
@@ -61,10 +60,7 @@ pub fn step_exponential<S: ExponentialSystem<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
-    let h = checked_step_size(step)?;
-    if !system.is_finite(state) {
-        return Err(StepError::NonFiniteState);
-    }
+    let h = begin(system, state, step)?;
     let mut first = system.rates(time, state, &system.no_change(state))?;
     first.add_scaled(-T::one(), &system.vibration_rates(state)?);
     let mut whole = system.free_vibration(state, h)?;

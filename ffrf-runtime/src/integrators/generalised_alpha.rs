@@ -20,8 +20,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::{displaced, finish};
+use super::system::{begin, displaced, finish};
 use super::{Correction, ImplicitSystem, StepError, StepReport, Tolerances, VectorSpace};
 
 /// The generalised-α method: how much it damps, and when its equations count as solved.
@@ -86,10 +85,7 @@ impl<T: RealField + Copy> GeneralisedAlpha<T> {
         time: T,
         step: T,
     ) -> Result<AlphaMemory<S::Increment>, StepError> {
-        let h = checked_step_size(step)?;
-        if !system.is_finite(state) {
-            return Err(StepError::NonFiniteState);
-        }
+        let h = begin(system, state, step)?;
         let Parameters { mass, force, .. } = self.parameters();
         let shift = (mass - force) * h;
         let rates = system.rates(time, state, &system.no_change(state))?;
@@ -116,10 +112,7 @@ impl<T: RealField + Copy> GeneralisedAlpha<T> {
         time: T,
         step: T,
     ) -> Result<(S::State, StepReport<T>), StepError> {
-        let h = checked_step_size(step)?;
-        if !system.is_finite(state) {
-            return Err(StepError::NonFiniteState);
-        }
+        let h = begin(system, state, step)?;
         let half: T = nalgebra::convert(0.5);
         let Parameters { mass, force, beta, gamma } = self.parameters();
         // d a_new / d v̇_new
@@ -175,10 +168,7 @@ impl<T: RealField + Copy> GeneralisedAlpha<T> {
                 return Ok((state, StepReport { iterations: iteration, ..report }));
             }
         }
-        Err(StepError::NotConverged {
-            iterations: self.iterations,
-            residual: nalgebra::try_convert(residual).unwrap_or(f64::NAN),
-        })
+        Err(StepError::not_converged(self.iterations, residual))
     }
 }
 

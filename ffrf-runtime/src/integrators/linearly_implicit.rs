@@ -32,8 +32,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::finish;
+use super::system::{begin, finish};
 use super::{StepError, StepReport, StiffSystem, VectorSpace};
 
 /// One step of ROS2 with the modal stiffness and damping implicit: order 2, stable for any h ω_max.
@@ -48,10 +47,7 @@ pub fn step_linearly_implicit<S: StiffSystem<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
-    let h = checked_step_size(step)?;
-    if !system.is_finite(state) {
-        return Err(StepError::NonFiniteState);
-    }
+    let h = begin(system, state, step)?;
     let half: T = nalgebra::convert(0.5);
     let two: T = nalgebra::convert(2.0);
     // γ = 1 - 1/√2: the L-stable choice with the smaller error constant

@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::finish;
+use super::system::{begin, finish};
 use super::{StepError, StepReport, StiffSystem, VectorSpace};
 
 /// One linearly implicit Euler step with the modal stiffness and damping implicit: order 1, stable for any h ω_max.
@@ -22,10 +21,7 @@ pub fn step_linearly_implicit_euler<S: StiffSystem<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
-    let h = checked_step_size(step)?;
-    if !system.is_finite(state) {
-        return Err(StepError::NonFiniteState);
-    }
+    let h = begin(system, state, step)?;
     let rates = system.implicit_rates(time, state, &system.no_change(state), h, None)?;
     let mut velocities = system.velocities_only(&rates);
     velocities.scale(h);

@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::finish;
+use super::system::{begin, finish};
 use super::{StepError, StepReport, System, VectorSpace};
 
 /// One step of the classical Runge-Kutta method, order 4, explicit: stable for h ω_max < 2.78 undamped.
@@ -19,10 +18,7 @@ pub fn step_rk4<S: System<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
-    let h = checked_step_size(step)?;
-    if !system.is_finite(state) {
-        return Err(StepError::NonFiniteState);
-    }
+    let h = begin(system, state, step)?;
     let half = h * nalgebra::convert(0.5);
     let third = h / nalgebra::convert(3.0);
     let sixth = h / nalgebra::convert(6.0);

@@ -2,8 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::step::checked_step_size;
-use super::system::finish;
+use super::system::{begin, finish};
 use super::{StepError, StepReport, System, VectorSpace};
 
 /// One step of the symplectic Euler method, order 1: velocities from the forces, then places from the new velocities.
@@ -19,10 +18,7 @@ pub fn step_symplectic_euler<S: System<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
-    let h = checked_step_size(step)?;
-    if !system.is_finite(state) {
-        return Err(StepError::NonFiniteState);
-    }
+    let h = begin(system, state, step)?;
     let mut explicit = system.rates(time, state, &system.no_change(state))?;
     explicit.scale(h);
     let mut slope = system.velocities_only(&explicit);

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::step::{Drift, LocalError, StepError, Tolerances};
+use super::step::{Drift, LocalError, StepError, Tolerances, checked_step_size};
 
 /// Changes of a state: a vector space.
 pub trait VectorSpace<T>: Clone {
@@ -168,6 +168,16 @@ pub(crate) fn displaced<S: System<T> + ?Sized, T: RealField + Copy>(
     let mut places = system.place_rates(origin, velocities);
     places.add_scaled(-T::one(), &system.place_rates(origin, &system.no_change(origin)));
     places
+}
+
+/// The first thing every step does: the step size, if time can advance by it from `state`.
+pub(super) fn begin<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    state: &S::State,
+    step: T,
+) -> Result<T, StepError> {
+    let step = checked_step_size(step)?;
+    if system.is_finite(state) { Ok(step) } else { Err(StepError::NonFiniteState) }
 }
 
 /// The last thing every step does: the new state with its report, or why there is none.
