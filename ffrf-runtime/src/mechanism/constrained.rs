@@ -12,6 +12,21 @@ use crate::integrators::{
 #[derive(Debug, Clone, Copy)]
 pub struct Constrained<'a, A>(pub &'a A);
 
+/// The joints of a mechanism on its bodies in one state.
+fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
+    assembly: &'a A,
+    ports: &'a mut A::Ports<'_>,
+    storage: &'a mut Storage<'s, T>,
+) -> Constraints<'a, 's, T> {
+    Constraints {
+        plan: assembly.plan(),
+        connections: assembly.connections(),
+        ports,
+        storage,
+        regularisation: assembly.regularisation(),
+    }
+}
+
 impl<A> Constrained<'_, A> {
     /// Evaluates bodies, loads, joints and accelerations in one state and hands all of it to `read`.
     ///
@@ -49,13 +64,7 @@ impl<A> Constrained<'_, A> {
         let mut ports = assembly.ports(state, implicit);
         assembly.load(time, &mut ports);
         assembly.with_storage(|storage| {
-            let mut constraints = Constraints {
-                plan: assembly.plan(),
-                connections: assembly.connections(),
-                ports: &mut ports,
-                storage,
-                regularisation: assembly.regularisation(),
-            };
+            let mut constraints = constraints(assembly, &mut ports, storage);
             constraints.evaluate(&|joint| assembly.drive(joint, time));
             let pivot = constraints.factor()?;
             constraints.accelerate(target);
@@ -106,35 +115,31 @@ impl<A> Constrained<'_, A> {
         let mut ports = assembly.ports(state, implicit);
         let drift = assembly.with_storage(|storage| {
             let drive = |joint| assembly.drive(joint, time);
-            let (mut drift, mut factored) = (None, false);
-            let mut left = ([T::zero(); 2], 0);
+            let mut evaluated = constraints(assembly, &mut ports, storage);
+            evaluated.evaluate(&drive);
+            let mut left = evaluated.residuals();
+            let drift = Drift { position: left.0[0], velocity: left.0[1] };
+            let mut factored = false;
             for level in [Level::Position, Level::Velocity] {
-                for iteration in 0..=iterations {
-                    let mut constraints = Constraints {
-                        plan: assembly.plan(),
-                        connections: assembly.connections(),
-                        ports: &mut ports,
-                        storage: &mut *storage,
-                        regularisation: assembly.regularisation(),
-                    };
-                    constraints.evaluate(&drive);
-                    let residuals = constraints.residuals();
-                    drift = drift.or(Some(Drift { position: residuals.0[0], velocity: residuals.0[1] }));
-                    left = residuals;
+                for _ in 0..iterations {
                     let open = if level == Level::Position { left.0[0] } else { left.0[1] };
-                    if open <= round_off || iteration == iterations {
+                    if open <= round_off {
                         break;
                     }
+                    let mut evaluated = constraints(assembly, &mut ports, storage);
                     if !factored {
-                        constraints.factor()?;
+                        evaluated.factor()?;
                         factored = true;
                     }
-                    constraints.correct(level);
+                    evaluated.correct(level);
                     assembly.correct(&mut ports, level);
+                    let mut evaluated = constraints(assembly, &mut ports, storage);
+                    evaluated.evaluate(&drive);
+                    left = evaluated.residuals();
                 }
             }
             if left.0[0] <= tolerance {
-                Ok(drift.unwrap_or(Drift::none()))
+                Ok(drift)
             } else {
                 let residual = nalgebra::try_convert(left.0[0]).unwrap_or(f64::NAN);
                 Err(StepError::ConstraintsNotMet { joint: left.1, residual })
@@ -252,13 +257,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
         self.solve(time, state, implicit, target, |ports, storage, _| {
             let accelerations = assembly.velocities_only(&assembly.collect(ports, increment));
             let places = matches!(treatment, Treatment::StabilisedIndex2).then(|| {
-                let mut constraints = Constraints {
-                    plan: assembly.plan(),
-                    connections: assembly.connections(),
-                    ports: &mut *ports,
-                    storage,
-                    regularisation: assembly.regularisation(),
-                };
+                let mut constraints = constraints(assembly, ports, storage);
                 constraints.correct(Level::Position);
                 let moved = assembly.velocities_only(&assembly.collect(ports, increment));
                 displaced(self, origin, &moved)
@@ -299,13 +298,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
                 if phase == Phase::Mean {
                     assembly.load(time + half, &mut ports);
                 }
-                let mut constraints = Constraints {
-                    plan: assembly.plan(),
-                    connections: assembly.connections(),
-                    ports: &mut ports,
-                    storage: &mut *storage,
-                    regularisation: assembly.regularisation(),
-                };
+                let mut constraints = constraints(assembly, &mut ports, storage);
                 let moment = if phase == Phase::End { step } else { half };
                 constraints.evaluate(&|joint| assembly.drive(joint, time + moment));
                 match phase {
