@@ -49,7 +49,7 @@ pub fn run(arguments: &Generate) -> Result<()> {
 /// Writes source and header, or both as one text to standard output.
 fn write_c(arguments: &Generate, body: &ReducedBody, options: &GenerateOptions) -> Result<()> {
     let code = ffrf_codegen::generate_c(body, options)?;
-    let Some(source) = arguments.output.as_deref() else { return output::write(None, &code.single_file()) };
+    let Some(source) = arguments.output.as_deref() else { return output::write(None, &code.single) };
     if source.extension().is_none_or(|extension| extension != "c") {
         bail!(
             "-o {}: expected the name of a source, NAME.c; {}.h is written beside it",

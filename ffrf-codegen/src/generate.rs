@@ -58,18 +58,12 @@ pub struct GeneratedC {
     pub header: String,
     /// The source; it includes the header as `PREFIX.h`.
     pub source: String,
+    /// Header and source in one text, for who wants one file.
+    pub single: String,
     /// What every name begins with, in lower case: the name of the body in snake case.
     pub prefix: String,
     /// Layout found and cost of each kernel.
     pub report: Report,
-}
-
-impl GeneratedC {
-    /// Header and source in one text, for who wants one file.
-    pub fn single_file(&self) -> String {
-        let include = format!("#include \"{}.h\"\n", self.prefix);
-        format!("{}\n{}", self.header, self.source.replacen(&include, "", 1))
-    }
 }
 
 /// Generates the kernels of a body whose numbers are baked in as C99.
@@ -92,8 +86,9 @@ pub fn generate_c(body: &ReducedBody, options: &GenerateOptions) -> Result<Gener
     let formulated = Formulated::baked(body, &options)?;
     let kernels = formulated.kernels(&options)?;
     let report = formulated.report(&options, &kernels);
-    let emit::CFiles { header, source, prefix } = emit::c(&formulated.subject(&report, &options), &kernels);
-    Ok(GeneratedC { header, source, prefix, report })
+    let emit::CFiles { header, source, single, prefix } =
+        emit::c(&formulated.subject(&report, &options), &kernels);
+    Ok(GeneratedC { header, source, single, prefix, report })
 }
 
 /// A body as expressions, whether its invariants are numbers or symbols.

@@ -1,6 +1,5 @@
 //! Generated C with a main function around it: compiled once, run for many inputs.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
@@ -56,7 +55,7 @@ impl CProgram {
         let functions = functions(&code.header, &code.prefix);
         std::fs::write(path(&format!("{}.h", code.prefix)), &code.header).unwrap();
         std::fs::write(path("kernels.c"), &code.source).unwrap();
-        std::fs::write(path("single.c"), code.single_file()).unwrap();
+        std::fs::write(path("single.c"), &code.single).unwrap();
         std::fs::write(path("main.c"), main_program(&functions, code)).unwrap();
         let mut is_compiled = false;
         for compiler in COMPILERS {
@@ -129,9 +128,8 @@ impl std::ops::Index<&str> for Results {
     type Output = Vec<f64>;
 
     fn index(&self, name: &str) -> &Vec<f64> {
-        let by_name: BTreeMap<&str, &Vec<f64>> =
-            self.0.iter().map(|(name, values)| (&**name, values)).collect();
-        by_name[name]
+        let found = self.0.iter().find(|(known, _)| known == name);
+        &found.unwrap_or_else(|| panic!("no result `{name}`")).1
     }
 }
 

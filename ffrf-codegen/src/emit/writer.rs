@@ -112,19 +112,21 @@ pub(super) fn bracketed(entries: &[String], taken: usize) -> String {
     if taken + single.len() <= LINE_WIDTH - 16 {
         return single;
     }
-    let mut lines = vec!["[".to_owned()];
-    let mut line = String::new();
+    format!("[\n    {}\n]", filled(entries, LINE_WIDTH - 23).join("\n    "))
+}
+
+/// The entries, each with a comma behind it, on as few lines as hold at most `most` characters before the last comma.
+pub(super) fn filled(entries: &[String], most: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
     for entry in entries {
-        if !line.is_empty() && line.len() + entry.len() + 2 > LINE_WIDTH - 20 {
-            lines.push(format!("    {}", line.trim_end()));
-            line.clear();
+        match lines.last_mut() {
+            Some(line) if line.len() + entry.len() <= most => {
+                line.push(' ');
+                line.push_str(entry);
+                line.push(',');
+            }
+            _ => lines.push(format!("{entry},")),
         }
-        line.push_str(entry);
-        line.push_str(", ");
     }
-    if !line.is_empty() {
-        lines.push(format!("    {}", line.trim_end()));
-    }
-    lines.push("]".to_owned());
-    lines.join("\n")
+    lines
 }

@@ -29,6 +29,8 @@ pub(crate) struct Files {
     pub(crate) header: String,
     /// The source; it includes `PREFIX.h`.
     pub(crate) source: String,
+    /// Header and source in one text.
+    pub(crate) single: String,
     /// `PREFIX`.
     pub(crate) prefix: String,
 }
@@ -73,9 +75,12 @@ pub(super) fn files(subject: &Subject<'_>, kernels: &[ValidKernel]) -> Files {
         // without modes, some have nothing to compute
         .filter(|(_, declaration)| declaration.has_results())
         .collect();
+    let header = header(subject, &style, &declarations);
+    let definitions = definitions(subject, &style, &declarations);
     Files {
-        header: header(subject, &style, &declarations),
-        source: source(subject, &style, &declarations),
+        source: format!("{}#include \"{}.h\"\n\n{definitions}", banner_comment(subject), style.prefix),
+        single: format!("{header}\n{definitions}"),
+        header,
         prefix: style.prefix,
     }
 }
@@ -99,10 +104,15 @@ fn header(subject: &Subject<'_>, style: &Style, declarations: &[(Listing, Declar
     text.finish()
 }
 
-fn source(subject: &Subject<'_>, style: &Style, declarations: &[(Listing, Declaration)]) -> String {
+fn banner_comment(subject: &Subject<'_>) -> String {
     let mut text = Text::new(UnitNames::of(subject.model));
     text.comment(banner_of(subject));
-    text.line(format!("#include \"{}.h\"\n", style.prefix));
+    text.finish()
+}
+
+/// What stands in the source besides its banner and the header.
+fn definitions(subject: &Subject<'_>, style: &Style, declarations: &[(Listing, Declaration)]) -> String {
+    let mut text = Text::new(UnitNames::of(subject.model));
     if declarations.iter().any(|(listing, _)| listing.needs().square_root) {
         text.line("#include <math.h>\n");
     }

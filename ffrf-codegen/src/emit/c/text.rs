@@ -1,7 +1,7 @@
 //! Lines and comments of C.
 
 use crate::emit::units::UnitNames;
-use crate::emit::writer::Writer;
+use crate::emit::writer::{LINE_WIDTH, Writer, filled};
 
 /// Text that grows line by line.
 #[derive(Debug)]
@@ -71,28 +71,10 @@ fn harmless(line: &str) -> String {
 
 /// `{a, b, c}`, several entries a line.
 pub(super) fn braced(entries: &[String]) -> String {
-    let mut lines = vec![String::new()];
-    for (position, entry) in entries.iter().enumerate() {
-        let comma = if position + 1 < entries.len() { "," } else { "" };
-        if let Some(line) = lines.last_mut()
-            && line.len() + entry.len() < WIDTH
-        {
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(entry);
-            line.push_str(comma);
-        } else {
-            lines.push(format!("{entry}{comma}"));
-        }
-    }
-    match lines.as_slice() {
-        [line] => format!("{{{line}}}"),
-        lines => format!("{{\n    {}\n}}", lines.join("\n    ")),
-    }
+    let lines = filled(entries, LINE_WIDTH - 21).join("\n    ");
+    let lines = lines.trim_end_matches(',');
+    if lines.contains('\n') { format!("{{\n    {lines}\n}}") } else { format!("{{{lines}}}") }
 }
-
-const WIDTH: usize = 90;
 
 #[cfg(test)]
 mod tests {
