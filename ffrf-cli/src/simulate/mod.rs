@@ -114,7 +114,7 @@ fn describe(summary: &Summary, elapsed: Duration, duration: f64) -> String {
         let _ = writeln!(
             text,
             "the initial state missed the joints by {position:.3e} (m or rad) and {velocity:.3e} per second; it was moved \
-             as little as possible, measured by the mass matrix"
+             as little as possible, parts as a whole where that goes"
         );
     }
     let _ = writeln!(

@@ -70,7 +70,7 @@ impl HostMechanism {
             actuators: Vec::new(),
             forces: None,
             plan,
-            treatment: Treatment::Projection { iterations: 8, tolerance: 1e-6 },
+            treatment: Treatment::projection(),
             regularisation,
         })
     }

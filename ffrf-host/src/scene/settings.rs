@@ -102,9 +102,6 @@ pub struct Settings {
 /// Every treatment of constraints by its name in scene files.
 const TREATMENTS: [&str; 5] = ["projection", "baumgarte", "ggl", "index3", "minimal"];
 
-/// Corrections of each level per step, and the residual (m or rad) that a step may be left with.
-pub(super) const PROJECTION: Treatment<f64> = Treatment::Projection { iterations: 8, tolerance: 1e-6 };
-
 impl Settings {
     pub(super) fn new(table: &SimulationTable) -> Result<Self, SceneError> {
         let positive = |what: &str, value: f64| {
@@ -192,7 +189,7 @@ fn treatment(
     let name = table.constraints.as_deref().or(fitting.first().copied()).unwrap_or("");
     let treatment = match name {
         // nothing is left to project of joint coordinates
-        "projection" | "minimal" => PROJECTION,
+        "projection" | "minimal" => Treatment::projection(),
         // critically damped, within some ten steps
         "baumgarte" => Treatment::Baumgarte { alpha: 0.1 / scale, beta: 0.1 / scale },
         "ggl" => Treatment::StabilisedIndex2,

@@ -27,6 +27,19 @@ impl<V: ModalVector<T>, T: RealField + Copy> VectorSpace<T> for Increment<V, T> 
     }
 }
 
+impl<B, L> FreeSystem<'_, B, L> {
+    fn force<T>(&self, time: T, state: &State<B::Modal, T>) -> GeneralisedForce<B::Modal, T>
+    where
+        B: FlexibleBody<T>,
+        L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
+        T: RealField + Copy,
+    {
+        let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
+        self.load.add_to(self.body, time, state, &mut force);
+        force
+    }
+}
+
 impl<B, L, T> System<T> for FreeSystem<'_, B, L>
 where
     B: FlexibleBody<T>,
@@ -55,9 +68,7 @@ where
         increment: &Self::Increment,
     ) -> Result<Self::Increment, StepError> {
         let state = origin.retract(increment);
-        let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
-        self.load.add_to(self.body, time, &state, &mut force);
-        Ok(increment.rate_under(self.body, &state, &force))
+        Ok(increment.rate_under(self.body, &state, &self.force(time, &state)))
     }
 
     fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
@@ -102,10 +113,8 @@ where
         subtracted: Option<&Self::Increment>,
     ) -> Result<Self::Increment, StepError> {
         let state = origin.retract(increment);
-        let mut force = GeneralisedForce::zeros(&state.modal_coordinates);
-        self.load.add_to(self.body, time, &state, &mut force);
         increment
-            .implicit_rate_under(self.body, &state, &force, gamma_h, subtracted)
+            .implicit_rate_under(self.body, &state, &self.force(time, &state), gamma_h, subtracted)
             .ok_or(StepError::MassNotPositive)
     }
 }
@@ -141,8 +150,7 @@ where
         step: T,
     ) -> Result<Self::Increment, StepError> {
         let span = Span::new(begin, velocities, step);
-        let mut force = GeneralisedForce::zeros(&begin.modal_coordinates);
-        self.load.add_to(self.body, time + step * nalgebra::convert(0.5), &span.middle, &mut force);
+        let force = self.force(time + step * nalgebra::convert(0.5), &span.middle);
         let (stage, missing) =
             span.stage(self.body, &span.dual_to_mean(force)).ok_or(StepError::MassNotPositive)?;
         let factors = stage.eliminated.factor().ok_or(StepError::MassNotPositive)?;

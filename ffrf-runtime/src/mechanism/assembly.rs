@@ -40,9 +40,7 @@ impl<T: RealField + Copy> Treatment<T> {
         };
         Target::Acceleration { gains }
     }
-}
 
-impl<T: RealField + Copy> Treatment<T> {
     /// The default: projection with at most eight corrections; 1e-6 (1e-4 in single precision) may be left.
     pub fn projection() -> Self {
         let tolerance = if T::default_epsilon() < nalgebra::convert(1e-10) { 1e-6 } else { 1e-4 };
