@@ -4,7 +4,7 @@ use ffrf_fe::component_modes::{
     ComponentRequest, Interface, NodeSelection, area_weights, component_modes, mac, mass_weighted_mac,
 };
 
-use crate::parts::{bar, compute, rigid_ends, section};
+use super::parts::{bar, compute, rigid_ends, section};
 
 #[test]
 fn nodes_are_chosen_by_where_they_are() {

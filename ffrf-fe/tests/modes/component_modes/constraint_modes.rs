@@ -4,9 +4,9 @@ use faer::Mat;
 use ffrf_fe::component_modes::{BasisForm, ComponentRequest, ReferenceCondition};
 use ffrf_model::ModeKind;
 
-use crate::dense::{Dense, deviation};
-use crate::parts::{bar, compute, mixed_ends, rigid_ends};
-use crate::tolerances::STATIC;
+use super::dense::{Dense, deviation};
+use super::parts::{bar, compute, mixed_ends, rigid_ends};
+use super::tolerances::STATIC;
 
 /// With the frame fixed to the first interface, the constraint modes of the second are kept as they are.
 #[test]

@@ -6,10 +6,10 @@ use ffrf_fe::component_modes::{
 use ffrf_fe::reduction::ReductionOptions;
 use ffrf_model::ReducedBody;
 
-use crate::dense::deviation;
-use crate::free_body::receptance;
-use crate::parts::{bar, compute, mixed_ends, rigid_ends};
-use crate::tolerances::{RESPONSE, ROUND_OFF};
+use super::dense::deviation;
+use super::free_body::receptance;
+use super::parts::{bar, compute, mixed_ends, rigid_ends};
+use super::tolerances::{RESPONSE, ROUND_OFF};
 
 const BASES: [ComponentBasis; 4] = [
     ComponentBasis::CraigBampton,

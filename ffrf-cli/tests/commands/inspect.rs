@@ -2,9 +2,7 @@
 #![allow(clippy::unwrap_used)]
 #![allow(clippy::panic)] // helpers of tests are tests
 
-mod common;
-
-use common::Workbench;
+use crate::workbench::Workbench;
 use serde_json::Value;
 
 const REDUCE: &str = "reduce --nodes X.txt --mass M.mtx --stiffness K.mtx -o body.ffrf.json";

@@ -2,13 +2,11 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used)]
 
-mod common;
-
 use std::io::Read;
 use std::os::unix::fs::{FileTypeExt, PermissionsExt};
 use std::process::{Command, Stdio};
 
-use common::Workbench;
+use crate::workbench::Workbench;
 
 const REDUCE: &str = "reduce --nodes X.txt --mass M.mtx --stiffness K.mtx --modes 2 -o";
 const STATES: &str = r#"{"states":[{"q":[0,0],"omega":[0,0,1],"q_dot":[0,0],"force":[0,0,0,0,0,0,0,0]}]}"#;

@@ -1,8 +1,7 @@
 //! Highest frequency and largest stable step: against closed forms, and against the integrator itself.
 #![allow(clippy::unwrap_used)]
 
-mod sample;
-
+use crate::sample;
 use ffrf_model::{Inertia, ReducedBody};
 
 /// Two masses on a spring along x, with their relative displacement as the one mode: a free oscillator whose

@@ -1,9 +1,7 @@
 //! The way a user goes: reduce, inspect, generate, evaluate, verify.
 #![allow(clippy::unwrap_used)]
 
-mod common;
-
-use common::Workbench;
+use crate::workbench::Workbench;
 use serde_json::Value;
 
 const REDUCE: &str = "reduce --nodes X.txt --mass M.mtx --stiffness K.mtx -o body.ffrf.json";

@@ -10,9 +10,9 @@ use ffrf_fe::modes::{ModeRequest, compute_modes};
 use ffrf_fe::reduction::{MarkerRequest, ReductionOptions, reduce};
 use ffrf_model::ReducedBody;
 
-use crate::free_body::{marker_rows, mass_matrix, stiffness_matrix};
-use crate::parts::compute;
-use crate::tolerances::FREQUENCY;
+use super::free_body::{marker_rows, mass_matrix, stiffness_matrix};
+use super::parts::compute;
+use super::tolerances::FREQUENCY;
 
 fn conrod() -> FeModel {
     let deck = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/conrod/conrod.inp");

@@ -4,7 +4,7 @@ use ffrf_host::{HostMechanism, HostModal};
 use ffrf_runtime::mechanism::{Constrained, Treatment};
 use ffrf_runtime::{EnergyMomentum, Observables, State};
 
-use crate::problem::double_pendulum;
+use super::problem::double_pendulum;
 
 fn energy(mechanism: &HostMechanism, states: &[State<HostModal>]) -> f64 {
     let bodies = mechanism.bodies().iter().zip(states);

@@ -1,8 +1,7 @@
 //! The file format: bit-exact round trip, strict reading, whole files or none.
 #![allow(clippy::unwrap_used)]
 
-mod sample;
-
+use crate::sample;
 use ffrf_model::{ModelError, ReducedBody};
 use proptest::prelude::*;
 

@@ -3,11 +3,9 @@
 //! Needs `../shared` beside the workspace; says so and passes where that is missing.
 #![allow(clippy::unwrap_used)]
 
-mod common;
-
 use std::path::{Path, PathBuf};
 
-use common::Workbench;
+use crate::workbench::Workbench;
 use serde_json::Value;
 
 /// Relative error of eigenfrequencies against those of the reference.

@@ -1,7 +1,6 @@
 //! Derived quantities and truncation against their definitions.
 
-mod sample;
-
+use crate::sample;
 use ffrf_model::{ModeSelection, ModelError, Vector3};
 
 fn cross(a: Vector3, b: Vector3) -> Vector3 {

@@ -1,8 +1,7 @@
 //! Consistency checks: a sound body passes, and each fault is seen and measured.
 #![allow(clippy::unwrap_used)]
 
-mod sample;
-
+use crate::sample;
 use ffrf_model::{CheckReport, ReducedBody};
 
 fn report(body: &ReducedBody) -> CheckReport {

@@ -1,9 +1,7 @@
 //! Bad input: exit code 1, a message that names the place, and no output file.
 #![allow(clippy::unwrap_used)]
 
-mod common;
-
-use common::Workbench;
+use crate::workbench::Workbench;
 
 const REDUCE: &str = "reduce --nodes X.txt --mass M.mtx --stiffness K.mtx -o body.ffrf.json";
 

@@ -5,10 +5,10 @@ use ffrf_fe::component_modes::{
 };
 use ffrf_fe::reduction::ReductionOptions;
 
-use crate::dense::{Dense, deviation};
-use crate::free_body::receptance;
-use crate::parts::{bar, compute, mixed_ends, rigid_ends};
-use crate::tolerances::RESPONSE;
+use super::dense::{Dense, deviation};
+use super::free_body::receptance;
+use super::parts::{bar, compute, mixed_ends, rigid_ends};
+use super::tolerances::RESPONSE;
 
 #[test]
 fn craig_bampton_with_all_modes_is_the_full_model() {

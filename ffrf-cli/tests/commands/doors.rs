@@ -3,11 +3,9 @@
 //! The macro is held against the same table in `ffrf-macros/src/expand.rs`.
 #![allow(clippy::unwrap_used)]
 
-mod common;
-
 use std::path::Path;
 
-use common::Workbench;
+use crate::workbench::Workbench;
 use ffrf_codegen::{GeneratedCode, generate, generate_with_layout};
 use ffrf_model::ReducedBody;
 use ffrf_test_kit::doors;
