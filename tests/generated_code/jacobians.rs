@@ -2,13 +2,6 @@
 
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
-#[path = "golden/bodies.rs"]
-#[allow(dead_code)]
-mod bodies;
-#[rustfmt::skip]
-#[path = "golden/jacobians_m2.rs"]
-mod jacobians_m2;
-
 use ffrf::nalgebra::{SMatrix, SVector, Vector2, Vector3};
 use ffrf::{FlexibleBodyJacobians, GeneralisedForce, flexible_body};
 use ffrf_codegen::formulate::kernels::FORWARD_DYNAMICS;
@@ -16,6 +9,8 @@ use ffrf_codegen::{GenerateOptions, KernelInput, Kernels};
 use ffrf_model::ReducedBody;
 use ffrf_test_kit::proof::dual::Dual;
 use ffrf_test_kit::random::Random;
+
+use crate::{bodies, jacobians_m2};
 
 /// Through mass matrices with condition numbers below 1e4, as in the committed bodies' own test.
 const SOLVED: f64 = 1e-10;

@@ -1,27 +1,33 @@
-//! Generated code that is committed: it is up to date, it compiles, and it computes what the equations say.
+//! Generated code that is committed, Rust and C: it is up to date, it compiles, and it computes what the equations say.
 
-#[path = "golden/bodies.rs"]
+#[path = "../golden/bodies.rs"]
 mod bodies;
+mod c;
+mod c_program;
+mod jacobians;
 #[rustfmt::skip]
-#[path = "golden/constant_m2.rs"]
+#[path = "../golden/constant_m2.rs"]
 mod constant_m2;
 #[rustfmt::skip]
-#[path = "golden/free_free_m3.rs"]
+#[path = "../golden/free_free_m3.rs"]
 mod free_free_m3;
 #[rustfmt::skip]
-#[path = "golden/general_m2.rs"]
+#[path = "../golden/general_m2.rs"]
 mod general_m2;
 #[rustfmt::skip]
-#[path = "golden/generic_m2.rs"]
+#[path = "../golden/generic_m2.rs"]
 mod generic_m2;
 #[rustfmt::skip]
-#[path = "golden/normalised_m3.rs"]
+#[path = "../golden/jacobians_m2.rs"]
+mod jacobians_m2;
+#[rustfmt::skip]
+#[path = "../golden/normalised_m3.rs"]
 mod normalised_m3;
 #[rustfmt::skip]
-#[path = "golden/rigid.rs"]
+#[path = "../golden/rigid.rs"]
 mod rigid;
 #[rustfmt::skip]
-#[path = "golden/single_m3.rs"]
+#[path = "../golden/single_m3.rs"]
 mod single_m3;
 
 use std::path::Path;
@@ -44,7 +50,7 @@ fn committed_code_is_what_the_generator_prints() {
         assert_eq!(text, generate(&body, &options).unwrap().text);
         let path = folder.join(format!("{name}.rs"));
         let committed = std::fs::read_to_string(&path).unwrap_or_default();
-        let text = format!("//! Generated code, committed: see tests/generated_code.rs.\n\n{text}");
+        let text = format!("//! Generated code, committed: see tests/generated_code/main.rs.\n\n{text}");
         if committed != text {
             stale.push(name);
             if std::env::var_os(UPDATE).is_some() {
@@ -52,7 +58,7 @@ fn committed_code_is_what_the_generator_prints() {
             }
         }
     }
-    // The model that tests/macro_bodies.rs names.
+    // The model that tests/macro_bodies/models.rs names.
     let model = random_body(11, 4, Modes::Random);
     let path = folder.join("../models/random_m4.ffrf.json");
     if ffrf_model::ReducedBody::read(&path).ok().as_ref() != Some(&model) {

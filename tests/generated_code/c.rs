@@ -1,20 +1,8 @@
 //! Generated C: committed texts are up to date, compilers have nothing to complain about, and it computes what Rust does.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
-#[path = "../golden/bodies.rs"]
-mod bodies;
-mod c_program;
-#[rustfmt::skip]
-#[path = "../golden/general_m2.rs"]
-mod general_m2;
-#[rustfmt::skip]
-#[path = "../golden/single_m3.rs"]
-mod single_m3;
-
 use std::path::Path;
 
-use bodies::all;
-use c_program::{CProgram, Inputs};
 use ffrf::nalgebra::{SVector, Vector3};
 use ffrf::{DenseForms, FlexibleBody, GeneralisedForce, Observables};
 use ffrf_codegen::formulate::KERNELS;
@@ -24,8 +12,9 @@ use ffrf_codegen::{
 use ffrf_model::ReducedBody;
 use ffrf_test_kit::random::Random;
 
-/// Set to rewrite the committed files.
-const UPDATE: &str = "FFRF_UPDATE_GOLDEN";
+use crate::bodies::all;
+use crate::c_program::{CProgram, Inputs};
+use crate::{UPDATE, general_m2, single_m3};
 
 /// Sums of a few hundred products, in another order, of numbers of order one.
 const POLYNOMIAL: f64 = 1e-13;
@@ -58,7 +47,7 @@ fn committed_texts_are_what_the_generator_prints() {
     }
     assert!(
         stale.is_empty(),
-        "stale: {stale:?}; run `{UPDATE}=1 cargo test -p ffrf --test generated_c` and read the difference"
+        "stale: {stale:?}; run `{UPDATE}=1 cargo test -p ffrf --test generated_code` and read the difference"
     );
 }
 

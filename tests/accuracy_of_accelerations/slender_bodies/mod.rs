@@ -1,19 +1,19 @@
 //! Accelerations of very slender bodies, compared with exact arithmetic: what the elimination of a slender inertia costs.
 //!
-//! `cargo test -p ffrf --test slender_bodies -- --nocapture` prints the figures.
+//! `cargo test -p ffrf --test accuracy_of_accelerations slender -- --nocapture` prints the figures.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
 mod body;
 mod exact_motion;
 mod tolerances;
 
-use body::slender_body;
-use exact_motion::{Errors, ExactMotion, Force};
+use self::body::slender_body;
+use self::exact_motion::{Errors, ExactMotion, Force};
+use self::tolerances::{ACCELERATION, FACTORISED};
 use ffrf::nalgebra::{DMatrix, DVector, Rotation3, Vector3};
 use ffrf_codegen::{GenerateOptions, Kernels, Strategy, lanes};
 use ffrf_host::kernels::lane_kernels;
 use ffrf_test_kit::random::Random;
-use tolerances::{ACCELERATION, FACTORISED};
 
 /// A state at which the body is still slender: deformed by no more than its thickness.
 pub struct Point {

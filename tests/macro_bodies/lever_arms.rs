@@ -1,6 +1,6 @@
 //! What the undeformed lever arm of (199)-(201) and (215) costs in accuracy, on the connecting rod and a random body.
 //!
-//! `cargo test -p ffrf --test lever_arms -- --nocapture` prints the figures of `docs/theory/lever_arms.md`.
+//! `cargo test -p ffrf --test macro_bodies lever_arms -- --nocapture` prints the figures of `docs/theory/lever_arms.md`.
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
 use ffrf::forms::LeverArm::{self, Deformed, Undeformed};

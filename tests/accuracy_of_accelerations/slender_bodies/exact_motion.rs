@@ -9,7 +9,7 @@ use ffrf_codegen::{KernelInput, Kernels};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::Point;
+use super::Point;
 use ffrf_test_kit::proof::exact::Exact;
 
 /// What drives the body.
