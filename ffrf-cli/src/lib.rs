@@ -26,6 +26,8 @@ mod results;
 mod sample_states;
 mod simulate;
 mod states;
+mod stiffening;
+mod stress;
 mod verify;
 
 use std::process::ExitCode;

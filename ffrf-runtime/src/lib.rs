@@ -48,7 +48,7 @@ pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
     GeneralisedForce, Increment, Load, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
     NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State,
-    Wrench,
+    StressMarker, Wrench, von_mises,
 };
 pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{

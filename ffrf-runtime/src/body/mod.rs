@@ -21,6 +21,7 @@ mod rigid_body;
 mod span;
 mod span_marker;
 mod state;
+mod stress_marker;
 
 pub use dense_forms::{DenseForms, EquationsOfMotion};
 pub use flexible_body::FlexibleBody;
@@ -44,3 +45,4 @@ pub use rigid_body::RigidBody;
 pub(crate) use span::Span;
 pub(crate) use span_marker::SpanMarker;
 pub use state::State;
+pub use stress_marker::{StressMarker, von_mises};
