@@ -53,8 +53,8 @@ pub use body::{
 pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{
     AlphaMemory, ConservingSystem, ControlledStep, Correction, DenseOutput, Drift, EnergyMomentum,
-    ExponentialSystem, Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, StepError, StepReport,
-    StiffSystem, System, Tolerances, VectorSpace, step_dormand_prince, step_exponential,
+    Exponential, ExponentialSystem, Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, StepError,
+    StepReport, StiffSystem, System, Tolerances, VectorSpace, step_dormand_prince, step_exponential,
     step_linearly_implicit, step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
     try_dormand_prince, try_dormand_prince_dense,
 };

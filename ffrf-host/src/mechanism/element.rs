@@ -81,12 +81,7 @@ impl ElementKind {
                 stiffness: bushing.stiffness.map(number),
                 damping: bushing.damping.map(number),
             }),
-            Self::Friction(friction) => ElementKind::Friction(Friction {
-                effort: friction.effort,
-                limit: number(friction.limit),
-                speed: number(friction.speed),
-                viscous: number(friction.viscous),
-            }),
+            Self::Friction(friction) => ElementKind::Friction(friction.cast()),
             Self::Constant(wrench) => ElementKind::Constant(ConstantWrench {
                 force: vector(&wrench.force),
                 moment: vector(&wrench.moment),

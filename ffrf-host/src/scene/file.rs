@@ -154,6 +154,10 @@ pub struct ForceTable {
     pub limit: Option<f64>,
     /// Speed at which friction has 71 % of its limit. Units: m/s or rad/s.
     pub speed: Option<f64>,
+    /// Coefficient of friction that follows the reaction of its joint.
+    pub coefficient: Option<f64>,
+    /// Radius of the bearing, for friction about an axis that follows the reaction. Units: m.
+    pub radius: Option<f64>,
     /// Input of an actuator over time.
     pub input: Option<FunctionValue>,
     /// Force or moment of an actuator per unit of its input. Units: N or N m.
@@ -184,6 +188,23 @@ pub struct SensorTable {
     pub of: String,
 }
 
+/// `[events.NAME]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EventTable {
+    /// The sensor that is watched.
+    pub sensor: String,
+    /// Which of its numbers: `x`, `y`, `z`, `w`; none where it has one.
+    pub component: Option<String>,
+    /// The value that is passed; zero if nothing is said. Units: those of the sensor.
+    #[serde(default)]
+    pub value: f64,
+    /// `either` (if nothing is said), `rising` or `falling`.
+    pub direction: Option<String>,
+    /// `record` (if nothing is said) or `stop`.
+    pub then: Option<String>,
+}
+
 /// A scene file, in its order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneFile {
@@ -197,6 +218,8 @@ pub struct SceneFile {
     pub forces: Vec<(String, ForceTable)>,
     /// `[sensors.*]`
     pub sensors: Vec<(String, SensorTable)>,
+    /// `[events.*]`
+    pub events: Vec<(String, EventTable)>,
 }
 
 impl SceneFile {
@@ -220,12 +243,13 @@ impl SceneFile {
             joints: tables("joints", &mut table)?,
             forces: tables("forces", &mut table)?,
             sensors: tables("sensors", &mut table)?,
+            events: tables("events", &mut table)?,
         };
         match table.keys().next() {
             Some(unknown) => Err(SceneError::Key {
                 key: unknown.clone(),
                 message:
-                    "unknown table, expected one of `simulation`, `bodies`, `joints`, `forces`, `sensors`"
+                    "unknown table, expected one of `simulation`, `bodies`, `joints`, `forces`, `sensors`, `events`"
                         .to_owned(),
             }),
             None => Ok(scene),

@@ -104,6 +104,8 @@ fn used(key: &str, table: &ForceTable) -> Result<(), SceneError> {
         (table.acts.is_some(), "acts", &["friction", "actuator"]),
         (table.limit.is_some(), "limit", &["friction", "actuator"]),
         (table.speed.is_some(), "speed", &["friction"]),
+        (table.coefficient.is_some(), "coefficient", &["friction"]),
+        (table.radius.is_some(), "radius", &["friction"]),
         (table.input.is_some(), "input", &["actuator"]),
         (table.gain.is_some(), "gain", &["actuator"]),
         (table.axis.is_some(), "axis", &["torsion_spring", "friction", "actuator"]),

@@ -4,8 +4,10 @@
 mod accelerations;
 mod bodies;
 mod dense;
+mod energy;
 mod forces;
 mod graphs;
+mod joint_friction;
 mod power;
 mod reactions;
 mod redundancy_report;

@@ -12,6 +12,8 @@ mod element;
 mod elimination;
 #[doc(hidden)]
 pub mod generated;
+mod joint_friction;
+mod loaded;
 mod moving;
 mod node;
 mod plan;
@@ -27,6 +29,8 @@ pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
 pub use drive::{Drive, MOST_COEFFICIENTS, polynomial};
 pub use element::Element;
 pub use elimination::{Elimination, LARGEST_NODE};
+pub use joint_friction::{FRICTION_PASSES, JointFriction};
+pub use loaded::Loaded;
 pub use moving::{Mechanism, NotAssembled};
 pub use node::{Coupling, Step};
 pub use plan::{Block, BodyPlace, EndPlace, JointPlace, Plan, SharedPlace};
