@@ -103,7 +103,7 @@ fn a_block_on_a_slope_slides_with_what_friction_leaves() {
 }
 
 /// A swinging start: the rod level, turning.
-fn swinging(model: &Rubbing, spin: f64) -> RubbingState {
+pub fn swinging(model: &Rubbing, spin: f64) -> RubbingState {
     let mut state = model.at_rest();
     state.rod.position.x = -BIG_END;
     state.rod.angular_velocity.z = spin;

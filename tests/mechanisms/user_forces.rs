@@ -1,6 +1,7 @@
 //! Loads of the user's own see the whole mechanism: states of all bodies, time and controls.
 
 use ffrf::mechanism;
+use ffrf::mechanism::{Constrained, Loaded, Mechanism};
 use ffrf::nalgebra::Vector3;
 use ffrf::{Marker, Wrench, step_linearly_implicit, step_rk4};
 
@@ -81,17 +82,17 @@ fn a_closure_that_captures_is_a_load_of_a_step() {
     model.push = 30.0;
     let mut with_function = model.in_motion(level(&model));
     model.push = 0.0;
-    let mut with_closure = model.in_motion(level(&model));
     let size = 30.0;
+    let pulse = Loaded::new(&model, |_, time, ports| {
+        let force = Vector3::y() * (size * (50.0_f64 * time).sin());
+        ports.rods[1].push_at(&Rod::SMALL_END, &Wrench { force, moment: Vector3::zeros() });
+    });
+    let mut with_closure = Mechanism::new(pulse, level(&model));
     for _ in 0..40 {
-        let load = |_: &Pair, time: f64, ports: &mut PairPorts<'_>| {
-            let force = Vector3::y() * (size * (50.0 * time).sin());
-            ports.rods[1].push_at(&Rod::SMALL_END, &Wrench { force, moment: Vector3::zeros() });
-        };
         with_function.step_rk4(5e-6).unwrap();
-        with_closure.step_under(load, 5e-6, step_rk4).unwrap();
+        with_closure.step_rk4(5e-6).unwrap();
         with_function.step_with(1e-4, step_linearly_implicit).unwrap();
-        with_closure.step_under(load, 1e-4, step_linearly_implicit).unwrap();
+        with_closure.step_with(1e-4, step_linearly_implicit).unwrap();
     }
     assert!(apart(&with_function.state, &with_closure.state) < SAME);
     let mut alone = model.in_motion(level(&model));
@@ -106,11 +107,14 @@ fn a_closure_that_captures_is_a_load_of_a_step() {
 fn any_point_of_a_body_can_be_pushed() {
     let model = Pair::new([Rod; 2]);
     let point = Marker::rigid(Vector3::new(0.02, 0.01, 0.0), &Rod::SMALL_END.translation[0]);
-    let load = move |_: &Pair, _: f64, ports: &mut PairPorts<'_>| {
+    let pushed = Loaded::new(&model, |_, _, ports| {
         let up = Vector3::y() * 5.0;
         ports.rods[0].push_at(&point, &Wrench { force: up, moment: Vector3::zeros() });
         assert!(ports.rods[0].state.position.x > 0.0 && ports.rods[1].state.position.x > 0.1);
-    };
-    let mut mechanism = model.in_motion(level(&model));
-    mechanism.step_under(load, 5e-6, step_rk4).unwrap();
+    });
+    let start = level(&model);
+    let (pushed, _) = step_rk4(&Constrained(&pushed), &start, 0.0, 5e-6).unwrap();
+    let (alone, _) = step_rk4(&Constrained(&model), &start, 0.0, 5e-6).unwrap();
+    // about the hinge, upwards
+    assert!(pushed.rods[0].angular_velocity.z > alone.rods[0].angular_velocity.z);
 }

@@ -146,6 +146,9 @@ fn describe_check(scene: &Scene, found: &SceneCheck) -> String {
         found.redundant.len(),
         found.degrees_of_freedom
     );
+    for body in &found.flying {
+        let _ = writeln!(text, "  body {body} has no joint: it flies");
+    }
     for row in &found.redundant {
         let _ = writeln!(text, "  redundant: {row}");
     }

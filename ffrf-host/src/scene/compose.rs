@@ -48,7 +48,13 @@ impl Scene {
     }
 
     /// Composes a scene; the files that it names are looked for in `folder`.
+    ///
+    /// Errors: see [`SceneError`], with the line of the key that is at fault.
     pub fn compose(file: &SceneFile, folder: &Path) -> Result<Self, SceneError> {
+        Self::composed(file, folder).map_err(|error| error.on_line(&file.lines))
+    }
+
+    fn composed(file: &SceneFile, folder: &Path) -> Result<Self, SceneError> {
         let settings = Settings::new(&file.simulation)?;
         if file.bodies.is_empty() {
             return Err(SceneError::value("bodies", "at least one body", "none"));

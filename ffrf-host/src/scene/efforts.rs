@@ -9,7 +9,7 @@ use ffrf_runtime::mechanism::{Attachment, Connection, JointFriction};
 use super::SceneError;
 use super::file::ForceTable;
 use super::joints::{direction, function_of_time};
-use super::names::{NamedBody, attachment};
+use super::names::{NamedBody, attachment, different};
 use crate::mechanism::{Drive, Element, ElementKind, ScheduledActuator};
 
 /// What a table of forces makes.
@@ -48,6 +48,7 @@ pub(super) fn effort(
             let mut first = attachment(bodies, &format!("{key}.first"), first, table.first_position)?;
             first.orientation *= direction(&format!("{key}.axis"), table.axis)?;
             let second = attachment(bodies, &format!("{key}.second"), second, table.second_position)?;
+            different(key, bodies, [&first, &second])?;
             (InJoint { joint: None, ends: [first, second] }, None)
         }
     };

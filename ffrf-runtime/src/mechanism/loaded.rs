@@ -11,6 +11,12 @@ use crate::integrators::{Forcing, LocalError, Tolerances};
 ///
 /// `load(mechanism, time, ports)` adds forces at `time` (s) to the bodies in `ports`, whose states it sees: all of them. It is
 /// called a few times per step, also at states that no step accepts; with the same arguments it must add the same forces.
+/// Closures may capture: what changes between steps is captured anew, or by reference.
+///
+/// ```ignore
+/// let wind = Loaded::new(&model, |_: &Crane, time, ports: &mut CranePorts<'_>| ports.boom.push_at(&Boom::TIP, &gust(time)));
+/// let (state, report) = step_rk4(&Constrained(&wind), &state, time, step)?;      // or Mechanism::new(wind, state)
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Loaded<'a, A, L> {
     /// The mechanism.
@@ -19,7 +25,19 @@ pub struct Loaded<'a, A, L> {
     pub load: L,
 }
 
-impl<'a, A: Assembly<T>, L, T: RealField + Copy> Assembly<T> for Loaded<'a, A, L>
+impl<'a, A, L> Loaded<'a, A, L> {
+    /// A mechanism with this load.
+    pub fn new<T>(assembly: &'a A, load: L) -> Self
+    where
+        A: Assembly<T>,
+        L: Fn(&A, T, &mut A::Ports<'_>),
+        T: RealField + Copy,
+    {
+        Self { assembly, load }
+    }
+}
+
+impl<A: Assembly<T>, L, T: RealField + Copy> Assembly<T> for Loaded<'_, A, L>
 where
     L: Fn(&A, T, &mut A::Ports<'_>),
 {

@@ -4,7 +4,7 @@ use core::fmt;
 
 use nalgebra::RealField;
 
-use super::{Assembly, Constrained, Loaded};
+use super::{Assembly, Constrained};
 use crate::integrators::{Drift, StepError, StepReport, step_linearly_implicit, step_rk4};
 
 /// A mechanism with its state and its time; what [`FreeBody`](crate::FreeBody) is to one body.
@@ -52,32 +52,6 @@ impl<A: Assembly<T>, T: RealField + Copy> Mechanism<A, T> {
     ) -> Result<StepReport<T>, StepError> {
         let Self { model, state, time } = self;
         let (next, report) = method(&Constrained(model), state, *time, step)?;
-        *state = next;
-        *time += step;
-        Ok(report)
-    }
-
-    /// [`step_with`](Self::step_with) under a load of the user's own, which sees the whole mechanism: see [`Loaded`].
-    ///
-    /// ```ignore
-    /// mechanism.step_under(|model: &Crane, time, ports: &mut CranePorts<'_>| { ... }, h, step_rk4)
-    /// ```
-    ///
-    /// Units: `step` s. Errors: those of the method; state and time are then unchanged.
-    pub fn step_under<L: Fn(&A, T, &mut A::Ports<'_>)>(
-        &mut self,
-        load: L,
-        step: T,
-        method: impl FnOnce(
-            &Constrained<'_, Loaded<'_, A, L>>,
-            &A::State,
-            T,
-            T,
-        ) -> Result<(A::State, StepReport<T>), StepError>,
-    ) -> Result<StepReport<T>, StepError> {
-        let Self { model, state, time } = self;
-        let loaded = Loaded { assembly: &*model, load };
-        let (next, report) = method(&Constrained(&loaded), state, *time, step)?;
         *state = next;
         *time += step;
         Ok(report)

@@ -174,7 +174,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                     })
                 }
 
-                fn plan(&self) -> Plan<'_> {
+                fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
                     #plan_expression
                 }
 
