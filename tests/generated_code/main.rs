@@ -1,4 +1,5 @@
 //! Generated code that is committed, Rust and C: it is up to date, it compiles, and it computes what the equations say.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 #[path = "../golden/bodies.rs"]
 mod bodies;
