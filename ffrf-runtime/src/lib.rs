@@ -46,9 +46,9 @@ pub mod rotation;
 
 pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
-    GeneralisedForce, Increment, Load, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
-    NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State,
-    Wrench,
+    GeneralisedForce, Increment, Load, Marker, MarkerMotion, MarkerStep, ModalFactors, ModalMatrix,
+    ModalVector, Motion, NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared,
+    RigidBody, State, Wrench,
 };
 pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{

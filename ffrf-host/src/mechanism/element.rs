@@ -1,7 +1,7 @@
 //! Force elements of any kind.
 
 use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Friction, Spring, TorsionSpring};
-use ffrf_runtime::{MarkerMotion, Wrench};
+use ffrf_runtime::{MarkerMotion, MarkerStep, Wrench};
 use nalgebra::{RealField, Vector3, convert};
 
 /// A force element and what it is attached to.
@@ -54,6 +54,10 @@ impl<T: RealField + Copy> ElementKind<T> {
 impl<T: RealField + Copy> ForceElement<T> for ElementKind<T> {
     fn wrenches(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> [Wrench<T>; 2] {
         self.as_element().wrenches(first, second)
+    }
+
+    fn wrenches_over(&self, first: &MarkerStep<T>, second: &MarkerStep<T>) -> [Wrench<T>; 2] {
+        self.as_element().wrenches_over(first, second)
     }
 
     fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {

@@ -377,7 +377,10 @@ fn a_run_continued_between_two_steps_is_the_run_itself() {
 #[test]
 fn steps_longer_than_the_run_are_one_step() {
     let folder = tempfile::tempdir().unwrap();
-    let long = scene(folder.path(), &slider_crank("step = 1.0\nintegrator = \"linearly_implicit\"")).unwrap();
+    let text = slider_crank("step = 1.0\nintegrator = \"linearly_implicit\"")
+        .replace("duration = 0.2", "duration = 0.02")
+        .replace("output_step = 0.02", "output_step = 0.002");
+    let long = scene(folder.path(), &text).unwrap();
     let (samples, summary) = run(&long, None);
     assert_eq!((samples.len(), summary.advance.steps, summary.advance.side_steps), (11, 0, 10));
 }
