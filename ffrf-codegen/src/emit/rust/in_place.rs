@@ -4,7 +4,7 @@
 //! behind the divisions that the accelerations wait for, and a processor cannot begin with the next call before they have
 //! left its store queue. Here results are written where their last operation stands, a barrier for the compiler keeps them
 //! there, and inputs are read behind it where they are not needed before. Nanoseconds of the equations of motion (x86-64, AMD
-//! EPYC, `benches/peers`) with results returned and written in place: M = 1: 35, 33; 2: 43, 43; 3: 56, 60; 4: 77, 63;
+//! EPYC, `benches/peers`) with results returned and written in place: M = 1: 35, 33; 2: 43, 44; 3: 56, 59; 4: 77, 63;
 //! 5: 88, 80; 6: 97, 89.
 
 use std::collections::{BTreeMap, BTreeSet};
