@@ -1,27 +1,31 @@
 //! The workspace of one body in a mechanism.
 
-use nalgebra::{RealField, Vector3, Vector6};
+use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
-use super::{Phase, Port};
+use super::{Level, Phase, Port};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, ModalVector,
     Motion, PlacedMarker, Span, SpanMarker, State, Wrench,
 };
 use crate::integrators::StepError;
+use crate::rotation::matrix;
+use crate::six::{Square, add_scaled, dot, six_times, subtract_scaled, zeros};
 
-/// A constraint row on one body: its gradient to the modes.
+/// The rows of a joint on one body: their gradients to the modes, row by row side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AttachedRow<V> {
-    /// Modal part of the gradient. Shape: M.
-    modal: V,
-    /// Θ_ff⁻¹ times that. Shape: M.
-    weighted: V,
+pub struct AttachedRows<V: ModalVector<T>, T: RealField + Copy = f64> {
+    /// Modal part of the gradients. Shape: M x rows.
+    modal: V::Sixes,
+    /// Θ_ff⁻¹ times that. Shape: M x rows.
+    weighted: V::Sixes,
+    /// Number of rows.
+    count: usize,
 }
 
-impl<V: Clone> AttachedRow<V> {
-    /// A row without effect.
+impl<V: ModalVector<T>, T: RealField + Copy> AttachedRows<V, T> {
+    /// Rows without effect.
     pub fn empty(zeros: &V) -> Self {
-        Self { modal: zeros.clone(), weighted: zeros.clone() }
+        Self { modal: zeros.zero_sixes(), weighted: zeros.zero_sixes(), count: 0 }
     }
 }
 
@@ -42,13 +46,15 @@ impl<I, T: Copy> Clone for ImplicitTerms<'_, I, T> {
 
 impl<I, T: Copy> Copy for ImplicitTerms<'_, I, T> {}
 
-/// One body in one state, with its forces and the rows of its joints; `R` holds as many rows as joints have there.
+/// One body in one state, with its forces and the rows of its joints; `R` holds as many [`AttachedRows`] as joints have ends there.
 #[derive(Debug, Clone)]
 pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
     body: &'a B,
     markers: &'a [Marker<B::Modal, T>],
     /// The state of this evaluation.
     pub state: State<B::Modal, T>,
+    /// The axes of the body in this state as columns. Frame: inertial.
+    axes: Matrix3<T>,
     /// Force of loads and force elements so far.
     pub force: GeneralisedForce<B::Modal, T>,
     /// The result: accelerations, or a correction of place or velocities.
@@ -65,10 +71,12 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
 impl<'a, B, R, T> BodyPort<'a, B, R, T>
 where
     B: FlexibleBody<T>,
-    R: AsRef<[AttachedRow<B::Modal>]> + AsMut<[AttachedRow<B::Modal>]>,
+    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
     T: RealField + Copy,
 {
     /// A body in a state, without forces.
+    // inlined, so that it is made where it stays
+    #[inline(always)]
     pub fn new(
         body: &'a B,
         markers: &'a [Marker<B::Modal, T>],
@@ -80,6 +88,7 @@ where
         Self {
             body,
             markers,
+            axes: matrix(&state.orientation),
             state,
             force: GeneralisedForce::zeros(&zeros),
             motion: Motion::zeros(&zeros),
@@ -108,15 +117,25 @@ where
         }
     }
 
+    /// Applies the resulting motion to the state: a displacement, or a change of velocity.
+    pub fn correct(&mut self, level: Level) {
+        match level {
+            Level::Position => self.state.displace(&self.motion),
+            Level::Velocity => self.state.push(&self.motion),
+        }
+        self.axes = matrix(&self.state.orientation);
+    }
+
+    #[inline]
     fn placed(&self, marker: usize) -> Option<PlacedMarker<'a, B::Modal, T>> {
-        self.markers.get(marker).map(|marker| PlacedMarker::new(marker, &self.state))
+        self.markers.get(marker).map(|marker| PlacedMarker::with_axes(marker, &self.state, &self.axes))
     }
 
     fn generalised_force(&self, marker: usize, wrench: &Wrench<T>) -> Option<GeneralisedForce<B::Modal, T>> {
         let marker = self.markers.get(marker)?;
         Some(match &self.span {
             Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
-            None => PlacedMarker::new(marker, &self.state).generalised_force(wrench),
+            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).generalised_force(wrench),
         })
     }
 
@@ -128,7 +147,7 @@ where
 impl<B, R, T> Port<T> for BodyPort<'_, B, R, T>
 where
     B: FlexibleBody<T>,
-    R: AsRef<[AttachedRow<B::Modal>]> + AsMut<[AttachedRow<B::Modal>]>,
+    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
     T: RealField + Copy,
 {
     fn marker_motion(&self, marker: usize) -> MarkerMotion<T> {
@@ -155,7 +174,7 @@ where
             self.force.add_scaled(T::one(), &span.weight(self.body, gravity));
             return;
         }
-        let resolved = self.state.to_body(gravity);
+        let resolved = self.axes.tr_mul(gravity);
         let weight = self.body.gravity_force(&self.state.modal_coordinates, &resolved);
         self.force.add_scaled(T::one(), &weight);
     }
@@ -166,6 +185,7 @@ where
             (place, Some(ImplicitTerms { gamma_h, subtracted: Some(velocities) })) => {
                 let span = Span::new(&self.state, velocities, gamma_h + gamma_h);
                 self.state = span.middle.clone();
+                self.axes = matrix(&self.state.orientation);
                 *place = Some((span, phase));
             }
             _ => {}
@@ -206,28 +226,49 @@ where
         !self.alone.as_slice().is_empty()
     }
 
-    fn attach(&mut self, slot: usize, marker: usize, gradients: &[Wrench<T>], effects: &mut [[T; 6]]) {
-        let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
-        let placed = PlacedMarker::new(marker, &self.state);
-        let spanned = self.span.as_ref().map(|(span, _)| SpanMarker::new(marker, span));
-        let places = self.rows.as_mut().iter_mut().skip(slot).zip(effects);
-        for (gradient, (place, effect)) in gradients.iter().zip(places) {
-            let force = match &spanned {
-                Some(spanned) => spanned.generalised_force(gradient),
-                None => placed.generalised_force(gradient),
-            };
-            *effect = eliminated.reduced_force(&force).into();
-            let weighted = eliminated.modal.solve(&force.modal);
-            *place = AttachedRow { modal: force.modal, weighted };
+    fn attach(&mut self, slot: usize, marker: usize, rows: usize, gradients: &Square<T>) -> Square<T> {
+        let mut effects = zeros();
+        let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else {
+            return effects;
+        };
+        let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else {
+            return effects;
+        };
+        *count = rows;
+        effects = match &self.span {
+            Some((span, _)) => SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut()),
+            None => PlacedMarker::with_axes(marker, &self.state, &self.axes)
+                .generalised_forces(gradients, modal.as_mut()),
+        };
+        if modal.as_ref().is_empty() {
+            return effects;
         }
+        // component by component, so that the sums stay in registers
+        six_times!(K: {
+            let mut effect = effects[K];
+            for (followed, modal) in eliminated.followed.as_ref().iter().zip(modal.as_ref()) {
+                subtract_scaled(&mut effect, followed[K], modal);
+            }
+            effects[K] = effect;
+        });
+        weighted.clone_from(modal);
+        eliminated.modal.solve_sixes(weighted);
+        effects
     }
 
-    fn compliance(&self, slot: usize, other: usize) -> T {
+    fn compliance(&self, slot: usize, other: usize) -> Square<T> {
+        let mut compliance = zeros();
         let rows = self.rows.as_ref();
-        match (rows.get(slot), rows.get(other)) {
-            (Some(row), Some(other)) => row.modal.dot(&other.weighted),
-            _ => T::zero(),
+        if let (Some(rows), Some(other)) = (rows.get(slot), rows.get(other)) {
+            six_times!(K: { if K < rows.count {
+                let mut row = [T::zero(); 6];
+                for (modal, weighted) in rows.modal.as_ref().iter().zip(other.weighted.as_ref()) {
+                    add_scaled(&mut row, modal[K], weighted);
+                }
+                compliance[K] = row;
+            } });
         }
+        compliance
     }
 
     fn reduced_force(&mut self) -> [T; 6] {
@@ -240,16 +281,20 @@ where
         self.alone = self.body.undeformed();
     }
 
-    fn modal_acceleration(&self, slot: usize) -> T {
-        self.rows.as_ref().get(slot).map_or(T::zero(), |row| row.modal.dot(&self.alone))
+    fn subtract_modal_accelerations(&self, slot: usize, from: &mut [T; 6]) {
+        if let Some(rows) = self.rows.as_ref().get(slot) {
+            for (acceleration, modal) in self.alone.as_slice().iter().zip(rows.modal.as_ref()) {
+                subtract_scaled(from, *acceleration, modal);
+            }
+        }
     }
 
-    fn subtracted_twist(&self, marker: usize) -> [Vector3<T>; 2] {
+    fn subtracted_twist(&self, marker: usize) -> Option<[Vector3<T>; 2]> {
         match self.implicit {
             Some(ImplicitTerms { subtracted: Some(subtracted), .. }) => {
-                self.twist(marker, &subtracted.velocities(&self.state))
+                Some(self.twist(marker, &subtracted.velocities(&self.state)))
             }
-            _ => [Vector3::zeros(); 2],
+            _ => None,
         }
     }
 
@@ -259,9 +304,11 @@ where
         }
     }
 
-    fn follow(&mut self, slot: usize, multiplier: T) {
-        if let Some(row) = self.rows.as_ref().get(slot) {
-            self.motion.modal.add_scaled(multiplier, &row.weighted);
+    fn follow(&mut self, slot: usize, negative: &[T; 6]) {
+        if let Some(rows) = self.rows.as_ref().get(slot) {
+            for (entry, weighted) in self.motion.modal.as_mut_slice().iter_mut().zip(rows.weighted.as_ref()) {
+                *entry -= dot(weighted, negative);
+            }
         }
     }
 

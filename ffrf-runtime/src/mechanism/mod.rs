@@ -20,7 +20,7 @@ mod sensing;
 mod triads;
 
 pub use assembly::{Assembly, Treatment};
-pub use body_port::{AttachedRow, BodyPort, ImplicitTerms};
+pub use body_port::{AttachedRows, BodyPort, ImplicitTerms};
 pub use connection::{Attachment, Connection};
 pub use constrained::Constrained;
 pub use constraints::{Constraints, Level, Regularisation, Storage, Target};

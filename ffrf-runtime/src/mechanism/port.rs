@@ -31,26 +31,27 @@ pub trait Port<T: RealField + Copy> {
     ///
     /// Errors: the modal mass is not positive definite.
     fn factor(&mut self) -> Result<(), StepError>;
-    /// Z, what the mass matrix leaves for rigid motion, row by row. Shape: 6 x 6.
+    /// Z, what the mass matrix leaves for rigid motion, symmetric. Shape: 6 x 6.
     fn rigid_mass(&self) -> [[T; 6]; 6];
     /// Whether it has modes, through which rows are coupled.
     fn has_modes(&self) -> bool;
-    /// Attaches constraint rows from `slot` on: their gradients at a marker. Gives the effect of each on the frame.
-    fn attach(&mut self, slot: usize, marker: usize, gradients: &[Wrench<T>], effects: &mut [[T; 6]]);
-    /// The compliance of the modes between two attached rows.
-    fn compliance(&self, slot: usize, other: usize) -> T;
+    /// Attaches so many rows of a joint as `slot`: the components of their gradients (force, moment; inertial) at a marker, side
+    /// by side. Gives their effects on the components of the frame's motion. Shape: 6 x rows each.
+    fn attach(&mut self, slot: usize, marker: usize, rows: usize, gradients: &[[T; 6]; 6]) -> [[T; 6]; 6];
+    /// The compliance of the modes between the rows of two attached joints. Shape: rows x rows of the other.
+    fn compliance(&self, slot: usize, other: usize) -> [[T; 6]; 6];
     /// Takes the forces as the right-hand side; returns the force on the frame with the modes eliminated. Shape: 6.
     fn reduced_force(&mut self) -> [T; 6];
     /// Takes no force as the right-hand side: what follows is a correction of place or velocities.
     fn without_force(&mut self);
-    /// What the modes' own acceleration adds to attached row `slot`.
-    fn modal_acceleration(&self, slot: usize) -> T;
-    /// The velocities [v; ω] (inertial) of a marker in what a linearly implicit stage subtracts; zero otherwise.
-    fn subtracted_twist(&self, marker: usize) -> [Vector3<T>; 2];
+    /// Subtracts what the modes' own acceleration adds to the rows of attached joint `slot`.
+    fn subtract_modal_accelerations(&self, slot: usize, from: &mut [T; 6]);
+    /// The velocities [v; ω] (inertial) of a marker in what a linearly implicit stage subtracts, if it does.
+    fn subtracted_twist(&self, marker: usize) -> Option<[Vector3<T>; 2]>;
     /// Sets the resulting motion: that of the frame, and of the modes on their own.
     fn finish(&mut self, rigid: &[T; 6]);
-    /// Adds what the multiplier of attached row `slot` does to the modes.
-    fn follow(&mut self, slot: usize, multiplier: T);
+    /// Subtracts what the *negative* multipliers of attached joint `slot` do to the modes.
+    fn follow(&mut self, slot: usize, negative: &[T; 6]);
     /// The velocities [v; ω] (inertial) of a marker in the resulting motion: accelerations without bias.
     fn resulting_twist(&self, marker: usize) -> [Vector3<T>; 2];
 }
