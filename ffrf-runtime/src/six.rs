@@ -86,12 +86,18 @@ pub(crate) fn add_products<T: RealField + Copy>(sum: &mut [T; 6], left: &[T; 6],
     six_times!(K: { sum[K] = multiply_add(left[K], right[K], sum[K]); });
 }
 
+/// The products entry by entry.
+#[inline(always)]
+pub(crate) fn products<T: RealField + Copy>(left: &[T; 6], right: &[T; 6]) -> [T; 6] {
+    let mut products = *left;
+    six_times!(K: { products[K] *= right[K]; });
+    products
+}
+
 /// Scalar product.
 #[inline(always)]
 pub(crate) fn dot<T: RealField + Copy>(left: &[T; 6], right: &[T; 6]) -> T {
-    let mut products = [T::zero(); 6];
-    six_times!(K: { products[K] = left[K] * right[K]; });
-    sum(&products)
+    sum(&products(left, right))
 }
 
 /// The sum, in two halves that do not wait for each other.

@@ -179,8 +179,22 @@ const _: () = {
         Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
     };
     static STEPS: [Step; 2usize] = [
-        Step { size: 6usize, node: 0usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
-        Step { size: 5usize, node: 1usize, diagonal: 2usize, couplings: 1usize, targets: 1usize },
+        Step {
+            size: 6usize,
+            node: 0usize,
+            diagonal: 0usize,
+            is_diagonal: false,
+            couplings: 0usize,
+            targets: 0usize,
+        },
+        Step {
+            size: 5usize,
+            node: 1usize,
+            diagonal: 2usize,
+            is_diagonal: false,
+            couplings: 1usize,
+            targets: 1usize,
+        },
     ];
     static COUPLINGS: [Coupling; 1usize] = [Coupling { size: 5usize, node: 1usize }];
     static TARGETS: [usize; 1usize] = [2usize];

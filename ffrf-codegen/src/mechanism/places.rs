@@ -14,6 +14,8 @@ pub struct StepPlace {
     pub node: usize,
     /// Diagonal block; the blocks of its couplings follow.
     pub diagonal: usize,
+    /// Whether this is a rigid body that nothing has been taken out of.
+    pub is_diagonal: bool,
     /// First coupling.
     pub couplings: usize,
     /// First target.
@@ -132,6 +134,7 @@ impl MechanismPlan {
             }
         }
         let (mut steps, mut couplings, mut targets) = (Vec::new(), Vec::new(), Vec::new());
+        let mut changed = vec![false; sizes.len()];
         for (node, neighbours) in &order {
             let mut later = neighbours.clone();
             later.sort_by_key(|other| turn[*other]);
@@ -139,10 +142,12 @@ impl MechanismPlan {
                 size: sizes[*node],
                 node: *node,
                 diagonal: blocks[&(*node, *node)],
+                is_diagonal: !changed[*node] && topology.flexible.get(*node) == Some(&false),
                 couplings: couplings.len(),
                 targets: targets.len(),
             });
             for (index, row) in later.iter().enumerate() {
+                changed[*row] = true;
                 couplings.push(CouplingPlace { size: sizes[*row], node: *row });
                 // rows of the earlier of both, columns of the later
                 targets.extend(later[..=index].iter().map(|column| blocks[&(*column, *row)]));

@@ -31,6 +31,7 @@ impl OwnedPlan {
                     size: step.size,
                     node: step.node,
                     diagonal: step.diagonal,
+                    is_diagonal: step.is_diagonal,
                     couplings: step.couplings,
                     targets: step.targets,
                 })

@@ -2,14 +2,14 @@
 
 use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
-use super::{Level, Phase, Port};
+use super::{Level, Phase, Port, RigidFrame};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, ModalVector,
     Motion, PlacedMarker, Span, SpanMarker, State, Wrench,
 };
 use crate::integrators::StepError;
 use crate::rotation::matrix;
-use crate::six::{Square, add_scaled, dot, six_times, subtract_scaled, zeros};
+use crate::six::{Square, add_products, dot, scaled, six_times, subtract_scaled, zeros};
 
 /// The rows of a joint on one body: their gradients to the modes, row by row side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,6 +62,10 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
     implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
     rows: R,
     eliminated: Option<Eliminated<B::Modal, T>>,
+    /// What the unknowns of a body without modes are; else the accelerations of its frame are unknown.
+    frame: Option<RigidFrame<T>>,
+    /// One over the diagonal of Z; zero where that is not positive.
+    yields: [T; 6],
     net: GeneralisedForce<B::Modal, T>,
     alone: B::Modal,
     /// A step of the energy-momentum method, and what is shown of it.
@@ -95,6 +99,8 @@ where
             implicit,
             rows,
             eliminated: None,
+            frame: None,
+            yields: [T::zero(); 6],
             net: GeneralisedForce::zeros(&zeros),
             alone: zeros,
             span: None,
@@ -115,6 +121,15 @@ where
                 increment.implicit_rate(&self.state, accelerations, gamma_h, subtracted)
             }
         }
+    }
+
+    fn keep(&mut self, eliminated: Option<Eliminated<B::Modal, T>>) -> Result<(), StepError> {
+        self.eliminated = eliminated;
+        let eliminated = self.eliminated.as_ref().ok_or(StepError::MassNotPositive)?;
+        let mass = &eliminated.remaining.data.0;
+        six_times!(K: { self.yields[K] = if mass[K][K] > T::zero() { T::one() / mass[K][K] } else { T::zero() }; });
+        self.frame = self.alone.as_slice().is_empty().then(|| RigidFrame::new(&eliminated.remaining));
+        Ok(())
     }
 
     /// Applies the resulting motion to the state: a displacement, or a change of velocity.
@@ -196,8 +211,7 @@ where
         if let Some((span, _)) = &self.span {
             let (stage, missing) = span.stage(self.body, &self.force).ok_or(StepError::MassNotPositive)?;
             self.net = missing;
-            self.eliminated = Some(stage.eliminated);
-            return Ok(());
+            return self.keep(Some(stage.eliminated));
         }
         let (body, state) = (self.body, &self.state);
         let eliminated = match self.implicit {
@@ -214,35 +228,38 @@ where
                 })
             }
         };
-        self.eliminated = eliminated;
-        if self.eliminated.is_some() { Ok(()) } else { Err(StepError::MassNotPositive) }
+        self.keep(eliminated)
     }
 
-    fn rigid_mass(&self) -> [[T; 6]; 6] {
-        self.eliminated.as_ref().map_or([[T::zero(); 6]; 6], |eliminated| eliminated.remaining.into())
+    fn rigid_mass(&self, to: &mut Square<T>) {
+        match (&self.frame, &self.eliminated) {
+            (Some(frame), _) => six_times!(K: { to[K][K] = frame.masses()[K]; }),
+            (None, Some(eliminated)) => *to = eliminated.remaining.data.0,
+            (None, None) => *to = zeros(),
+        }
     }
 
     fn has_modes(&self) -> bool {
         !self.alone.as_slice().is_empty()
     }
 
-    fn attach(&mut self, slot: usize, marker: usize, rows: usize, gradients: &Square<T>) -> Square<T> {
-        let mut effects = zeros();
-        let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else {
-            return effects;
-        };
-        let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else {
-            return effects;
-        };
+    fn attach(
+        &mut self,
+        slot: usize,
+        marker: usize,
+        rows: usize,
+        gradients: &Square<T>,
+        effects: &mut Square<T>,
+        compliances: Option<&mut [T; 6]>,
+    ) {
+        let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
+        let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else { return };
         *count = rows;
-        effects = match &self.span {
+        *effects = match &self.span {
             Some((span, _)) => SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut()),
             None => PlacedMarker::with_axes(marker, &self.state, &self.axes)
                 .generalised_forces(gradients, modal.as_mut()),
         };
-        if modal.as_ref().is_empty() {
-            return effects;
-        }
         // component by component, so that the sums stay in registers
         six_times!(K: {
             let mut effect = effects[K];
@@ -251,30 +268,40 @@ where
             }
             effects[K] = effect;
         });
-        weighted.clone_from(modal);
-        eliminated.modal.solve_sixes(weighted);
-        effects
+        if let Some(compliances) = compliances {
+            for (effect, yields) in effects.iter().zip(&self.yields) {
+                add_products(compliances, effect, &scaled(*yields, effect));
+            }
+        }
+        match &self.frame {
+            Some(frame) => frame.to_components(effects),
+            None => {
+                weighted.clone_from(modal);
+                eliminated.modal.solve_sixes(weighted);
+            }
+        }
     }
 
-    fn compliance(&self, slot: usize, other: usize) -> Square<T> {
-        let mut compliance = zeros();
+    fn subtract_compliance(&self, slot: usize, other: usize, from: &mut Square<T>) {
         let rows = self.rows.as_ref();
-        if let (Some(rows), Some(other)) = (rows.get(slot), rows.get(other)) {
-            six_times!(K: { if K < rows.count {
-                let mut row = [T::zero(); 6];
-                for (modal, weighted) in rows.modal.as_ref().iter().zip(other.weighted.as_ref()) {
-                    add_scaled(&mut row, modal[K], weighted);
-                }
-                compliance[K] = row;
-            } });
+        let (Some(rows), Some(other)) = (rows.get(slot), rows.get(other)) else { return };
+        if other.weighted.as_ref().is_empty() {
+            return;
         }
-        compliance
+        six_times!(K: { if K < rows.count {
+            let mut row = from[K];
+            for (modal, weighted) in rows.modal.as_ref().iter().zip(other.weighted.as_ref()) {
+                subtract_scaled(&mut row, modal[K], weighted);
+            }
+            from[K] = row;
+        } });
     }
 
     fn reduced_force(&mut self) -> [T; 6] {
         let Some(eliminated) = &self.eliminated else { return [T::zero(); 6] };
         self.alone = eliminated.modal.solve(&self.net.modal);
-        eliminated.reduced_force(&self.net).into()
+        let force = eliminated.reduced_force(&self.net).into();
+        self.frame.as_ref().map_or(force, |frame| frame.force(force))
     }
 
     fn without_force(&mut self) {
@@ -300,7 +327,8 @@ where
 
     fn finish(&mut self, rigid: &[T; 6]) {
         if let Some(eliminated) = &self.eliminated {
-            self.motion = eliminated.with_modes(&Vector6::from(*rigid), self.alone.clone());
+            let rigid = self.frame.as_ref().map_or(*rigid, |frame| frame.motion(rigid));
+            self.motion = eliminated.with_modes(&Vector6::from(rigid), self.alone.clone());
         }
     }
 

@@ -2,23 +2,24 @@
 
 use nalgebra::RealField;
 
-use super::{Block, Connection, Plan, Ports};
+use super::{Connection, Plan, Ports};
 use crate::body::MarkerMotion;
 use crate::integrators::StepError;
 use crate::joints::Joint;
 use crate::relations::{Rows, add_powers};
-use crate::six::{Square, add, add_products, add_scaled, scaled, six_times, transposed, zeros};
+use crate::six::{self, add, add_products, add_scaled, products, scaled, six_times, transposed, zeros};
 
 /// How redundant rows are dealt with: the proximal method, exact for consistent redundant rows, reactions of least norm.
 ///
-/// The factored matrix has μ subtracted from the diagonal of the rows, and a fixed number of refinements takes its effect
-/// out again: what it makes the rows leave over, μ times the last correction of their multipliers, is solved for anew. Source: Carpentier, Budhiraja, Mansard, Proximal and sparse resolution of constrained dynamic equations,
+/// The factored matrix has μ subtracted from the diagonal of the rows, and a bounded number of refinements takes its effect
+/// out again: what it makes the rows leave over, μ times the last correction of their multipliers, is solved for anew,
+/// until the next correction would be lost in round-off. Source: Carpentier, Budhiraja, Mansard, Proximal and sparse resolution of constrained dynamic equations,
 /// RSS 2021.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Regularisation<T = f64> {
     /// μ relative to the compliance that each row meets. Units: 1.
     pub share: T,
-    /// Number of refinements.
+    /// Most refinements.
     pub refinements: usize,
 }
 
@@ -30,6 +31,22 @@ impl<T: RealField + Copy> Regularisation<T> {
         let share = if T::default_epsilon() < nalgebra::convert(1e-10) { 1e-9 } else { 1e-3 };
         let refinements = if share < 1e-6 { 2 } else { 3 };
         Self { share: nalgebra::convert(share), refinements }
+    }
+
+    /// Whether the next refinement would change multipliers by less than round-off of the system does.
+    ///
+    /// With the condition number κ a refinement changes its part of the last change by μ κ at most: when that was ε / μ of
+    /// the whole, ε κ is left. Measured by Σ μ λ², in which forces and moments have one unit.
+    fn is_met(&self, shift: &[[T; 6]], solution: &[[T; 6]], change: &[[T; 6]]) -> bool {
+        let squares = |numbers: &[[T; 6]]| {
+            let mut sum = [T::zero(); 6];
+            for (shift, numbers) in shift.iter().zip(numbers) {
+                add_products(&mut sum, &products(shift, numbers), numbers);
+            }
+            six::sum(&sum)
+        };
+        let share = T::default_epsilon() / self.share;
+        squares(change) <= share * share * squares(solution)
     }
 
     /// For trees, whose rows are never redundant: nothing is added, nothing to refine.
@@ -55,33 +72,6 @@ pub struct Storage<'a, T: RealField + Copy> {
     pub ends: &'a mut [[MarkerMotion<T>; 2]],
     /// Whether blocks hold something besides zeros.
     pub used: bool,
-}
-
-/// Sets the block of a joint and a frame.
-fn set_effects<T: RealField + Copy>(blocks: &mut [Square<T>], place: Block, effects: &Square<T>) {
-    if let Some(block) = blocks.get_mut(place.index) {
-        if place.transposed {
-            *block = transposed(effects);
-        } else {
-            *block = *effects;
-        }
-    }
-}
-
-/// Subtracts from a block.
-fn subtract<T: RealField + Copy>(blocks: &mut [Square<T>], index: usize, other: &Square<T>) {
-    if let Some(block) = blocks.get_mut(index) {
-        for (row, other) in block.iter_mut().zip(other) {
-            six_times!(K: { row[K] -= other[K]; });
-        }
-    }
-}
-
-/// What a mass matrix yields to forces along each axis if nothing else moves.
-fn compliances<T: RealField + Copy>(mass: &Square<T>) -> [T; 6] {
-    let mut compliances = [T::zero(); 6];
-    six_times!(K: { if mass[K][K] > T::zero() { compliances[K] = T::one() / mass[K][K]; } });
-    compliances
 }
 
 /// Which level of the constraints a right-hand side corrects.
@@ -137,7 +127,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             let [first, second] = ends;
             *first = connection.first.motion(self.ports);
             *second = connection.second.motion(self.ports);
-            *rows = connection.kind.rows(first, second, &drive(joint));
+            rows.restart();
+            connection.kind.push_rows(rows, first, second, &drive(joint));
         }
     }
 
@@ -146,7 +137,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Errors: a body or the system has no factors.
     pub fn factor(&mut self) -> Result<T, StepError> {
         let share = self.regularisation.share;
-        let Storage { blocks, right, shift: shifts, rows, used, .. } = &mut *self.storage;
+        let Storage { blocks, shift: shifts, rows, used, .. } = &mut *self.storage;
         if core::mem::replace(used, true) {
             blocks.fill(zeros());
         }
@@ -154,10 +145,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             let Some(port) = self.ports.port_mut(index) else { continue };
             port.factor()?;
             let Some(block) = blocks.get_mut(place.diagonal) else { continue };
-            *block = port.rigid_mass();
-            if let (true, Some(compliance)) = (share > T::zero(), right.get_mut(place.node)) {
-                *compliance = compliances(block);
-            }
+            port.rigid_mass(block);
         }
         let joints = self.plan.joints.iter().zip(self.connections).zip(rows.iter());
         for ((place, connection), rows) in joints {
@@ -167,39 +155,36 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             {
                 let Some(end) = end else { continue };
                 let Some(port) = self.ports.port_mut(end.body) else { continue };
-                let effects = port.attach(end.slot, attachment.marker, rows.len(), gradients);
-                set_effects(blocks, end.block, &effects);
-                if port.has_modes() {
-                    let compliance = port.compliance(end.slot, end.slot);
-                    subtract(blocks, place.diagonal, &compliance);
-                    for (k, sum) in shift.iter_mut().enumerate() {
-                        *sum += compliance[k][k];
-                    }
+                let Some(block) = blocks.get_mut(end.block.index) else { continue };
+                let measured = (share > T::zero()).then_some(&mut shift);
+                port.attach(end.slot, attachment.marker, rows.len(), gradients, block, measured);
+                if end.block.transposed {
+                    *block = transposed(block);
                 }
-                if share > T::zero() {
-                    let body = self.plan.bodies.get(end.body).and_then(|body| right.get(body.node));
-                    for (effect, compliance) in effects.iter().zip(body.into_iter().flatten()) {
-                        add_products(&mut shift, effect, &scaled(*compliance, effect));
-                    }
+                if let Some(block) = blocks.get_mut(place.diagonal) {
+                    port.subtract_compliance(end.slot, end.slot, block);
                 }
             }
             if let (true, Some(block)) = (share > T::zero(), blocks.get_mut(place.diagonal)) {
-                shift = scaled(share, &shift);
-                for (k, shift) in shift.iter().enumerate() {
-                    block[k][k] -= *shift;
-                }
+                six_times!(K: {
+                    shift[K] = share * (shift[K] - block[K][K]);
+                    block[K][K] -= shift[K];
+                });
                 if let Some(kept) = shifts.get_mut(place.node) {
                     *kept = shift;
                 }
             }
         }
         for shared in self.plan.shared {
-            let Some(port) = self.ports.port(shared.body) else { continue };
             let (rows, columns) = match shared.block.transposed {
                 true => (shared.first, shared.second),
                 false => (shared.second, shared.first),
             };
-            subtract(blocks, shared.block.index, &port.compliance(rows, columns));
+            if let (Some(port), Some(block)) =
+                (self.ports.port(shared.body), blocks.get_mut(shared.block.index))
+            {
+                port.subtract_compliance(rows, columns, block);
+            }
         }
         self.plan.elimination.factor(blocks).ok_or(StepError::MassNotPositive)
     }
@@ -237,10 +222,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 let Some(end) = end else { continue };
                 let Some(port) = self.ports.port(end.body) else { continue };
                 port.subtract_modal_accelerations(end.slot, &mut wanted);
-                if matches!(target, Target::Acceleration { .. }) {
-                    if let Some([linear, angular]) = port.subtracted_twist(attachment.marker) {
-                        add_powers(&mut wanted, gradients, &-linear, &-angular);
-                    }
+                if !matches!(target, Target::Acceleration { .. }) {
+                    continue;
+                }
+                if let Some([linear, angular]) = port.subtracted_twist(attachment.marker) {
+                    add_powers(&mut wanted, gradients, &-linear, &-angular);
                 }
             }
             *right = wanted;
@@ -289,11 +275,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             for (node, (right, solution)) in right.iter_mut().zip(solution.iter()).enumerate() {
                 let last = if refinement == 0 { solution } else { &*right };
                 *right = match shift.get(node) {
-                    Some(shift) => {
-                        let mut change = [T::zero(); 6];
-                        six_times!(K: { change[K] = -(shift[K] * last[K]); });
-                        change
-                    }
+                    Some(shift) => scaled(-T::one(), &products(shift, last)),
                     None => [T::zero(); 6],
                 };
             }
@@ -303,6 +285,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 if let (Some(sum), Some(change)) = (solution.get_mut(node), right.get(node)) {
                     add(sum, change);
                 }
+            }
+            if self.regularisation.is_met(shift, solution, right) {
+                break;
             }
         }
         elimination.solve_backwards(0..leading, blocks, solution);

@@ -16,6 +16,7 @@ mod moving;
 mod node;
 mod plan;
 mod port;
+mod rigid_frame;
 mod sensing;
 mod triads;
 
@@ -31,5 +32,6 @@ pub use moving::{Mechanism, NotAssembled};
 pub use node::{Coupling, Step};
 pub use plan::{Block, BodyPlace, EndPlace, JointPlace, Plan, SharedPlace};
 pub use port::{Phase, Port, Ports};
+pub use rigid_frame::RigidFrame;
 pub use sensing::{acceleration, reaction};
 pub use triads::{along_axis, second_triad, turn_about};

@@ -1,5 +1,7 @@
 //! One node in the elimination: square blocks of six, of which a node uses as many rows as it has unknowns.
 
+#![allow(clippy::absurd_extreme_comparisons)] // of the constants in `six_times`
+
 use nalgebra::RealField;
 
 use crate::six::{Square, dot, multiply_add, scaled, six_times, subtract_scaled};
@@ -15,6 +17,8 @@ pub struct Step {
     pub diagonal: usize,
     /// First of its couplings.
     pub couplings: usize,
+    /// Whether this is a rigid body that nothing has been taken out of: its mass matrix is diagonal then.
+    pub is_diagonal: bool,
     /// First of its targets: one for each pair of couplings p >= q, in the order (0, 0), (1, 0), (1, 1), (2, 0), ...
     pub targets: usize,
 }
@@ -44,13 +48,19 @@ impl Node<'_> {
         let base = self.step.diagonal + 1 + self.couplings.len();
         let (panel, later) = blocks.split_at_mut_checked(base)?;
         let (diagonal, others) = panel.get_mut(self.step.diagonal..)?.split_first_mut()?;
-        let (inverse, smallest) = factor_diagonal::<N, T>(diagonal)?;
+        let (inverse, smallest) = match self.step.is_diagonal {
+            true => invert_diagonal::<N, T>(diagonal)?,
+            false => factor_diagonal::<N, T>(diagonal)?,
+        };
         let mut targets = self.targets.iter();
         for (p, last) in self.couplings.iter().enumerate() {
             let (done, rest) = others.split_at_mut_checked(p)?;
             let own = rest.first_mut()?;
             // U = L⁻¹ A, of which D⁻¹ U stays
-            let eliminated = eliminated::<N, T>(diagonal, own);
+            let eliminated = match self.step.is_diagonal {
+                true => *own,
+                false => eliminated::<N, T>(diagonal, own),
+            };
             six_times!(I: { if I < N { own[I] = scaled(inverse[I], &eliminated[I]); } });
             for (block, coupling) in done.iter().zip(self.couplings) {
                 let target = later.get_mut(targets.next()?.checked_sub(base)?)?;
@@ -85,10 +95,12 @@ impl Node<'_> {
         let (diagonal, others) = blocks.get(self.step.diagonal..)?.split_first()?;
         let place = unknowns.get_mut(self.step.node)?;
         let mut own = *place;
-        six_times!(J: { if J < N {
-            six_times!(I: { if I > J && I < N { own[I] = multiply_add(-diagonal[J][I], own[J], own[I]); } });
-        } });
-        *place = own;
+        if !self.step.is_diagonal {
+            six_times!(J: { if J < N {
+                six_times!(I: { if I > J && I < N { own[I] = multiply_add(-diagonal[J][I], own[J], own[I]); } });
+            } });
+            *place = own;
+        }
         for (coupling, block) in self.couplings.iter().zip(others) {
             let later = unknowns.get_mut(coupling.node)?;
             let mut sum = *later;
@@ -111,12 +123,14 @@ impl Node<'_> {
             let later = unknowns.get(coupling.node)?;
             six_times!(I: { if I < N { own[I] -= dot(&block[I], later); } });
         }
-        six_times!(K: { {
-            const I: usize = 5 - K;
-            if I < N {
-                six_times!(J: { if J < I { own[J] = multiply_add(-diagonal[J][I], own[I], own[J]); } });
-            }
-        } });
+        if !self.step.is_diagonal {
+            six_times!(K: { {
+                const I: usize = 5 - K;
+                if I < N {
+                    six_times!(J: { if J < I { own[J] = multiply_add(-diagonal[J][I], own[I], own[J]); } });
+                }
+            } });
+        }
         *unknowns.get_mut(self.step.node)? = own;
         Some(())
     }
@@ -149,6 +163,18 @@ fn factor_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -
         }
     } });
     if sound.is_finite() { Some((inverse, smallest)) } else { None }
+}
+
+/// [`factor_diagonal`] of a diagonal matrix, the rest of which is not touched.
+#[inline(always)]
+fn invert_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<([T; 6], T)> {
+    let (mut inverse, mut sound) = ([T::one(); 6], T::zero());
+    six_times!(J: { if J < N {
+        inverse[J] = T::one() / block[J][J];
+        sound += inverse[J] * block[J][J];
+        block[J][J] = inverse[J];
+    } });
+    if sound.is_finite() { Some((inverse, T::one())) } else { None }
 }
 
 /// L⁻¹ times a block.

@@ -31,15 +31,26 @@ pub trait Port<T: RealField + Copy> {
     ///
     /// Errors: the modal mass is not positive definite.
     fn factor(&mut self) -> Result<(), StepError>;
-    /// Z, what the mass matrix leaves for rigid motion, symmetric. Shape: 6 x 6.
-    fn rigid_mass(&self) -> [[T; 6]; 6];
+    /// Sets Z, what the mass matrix leaves for the motion of the frame, symmetric. Shape: 6 x 6.
+    ///
+    /// That motion is a [`RigidFrame`](super::RigidFrame)'s where there are no modes: Z is diagonal then.
+    fn rigid_mass(&self, to: &mut [[T; 6]; 6]);
     /// Whether it has modes, through which rows are coupled.
     fn has_modes(&self) -> bool;
-    /// Attaches so many rows of a joint as `slot`: the components of their gradients (force, moment; inertial) at a marker, side
-    /// by side. Gives their effects on the components of the frame's motion. Shape: 6 x rows each.
-    fn attach(&mut self, slot: usize, marker: usize, rows: usize, gradients: &[[T; 6]; 6]) -> [[T; 6]; 6];
-    /// The compliance of the modes between the rows of two attached joints. Shape: rows x rows of the other.
-    fn compliance(&self, slot: usize, other: usize) -> [[T; 6]; 6];
+    /// Attaches so many rows of a joint as `slot`: the components of their gradients (force, moment; inertial) at a marker,
+    /// side by side. Sets their effects on the components of the frame's motion, and adds what each row meets at the diagonal
+    /// of Z about the frame origin to its compliance. Shape: 6 x rows, rows.
+    fn attach(
+        &mut self,
+        slot: usize,
+        marker: usize,
+        rows: usize,
+        gradients: &[[T; 6]; 6],
+        effects: &mut [[T; 6]; 6],
+        compliances: Option<&mut [T; 6]>,
+    );
+    /// Subtracts the compliance of the modes between the rows of two attached joints. Shape: rows x rows of the other.
+    fn subtract_compliance(&self, slot: usize, other: usize, from: &mut [[T; 6]; 6]);
     /// Takes the forces as the right-hand side; returns the force on the frame with the modes eliminated. Shape: 6.
     fn reduced_force(&mut self) -> [T; 6];
     /// Takes no force as the right-hand side: what follows is a correction of place or velocities.

@@ -70,6 +70,11 @@ impl<T: RealField + Copy> Rows<T> {
         Self { residual: none, rate: none, bias: none, gradients: [zeros(); 2], count: 0 }
     }
 
+    /// Forgets the rows, to be evaluated anew: a joint has as many in every state.
+    pub(crate) fn restart(&mut self) {
+        self.count = 0;
+    }
+
     /// Adds a row; beyond [`MOST_ROWS`] it is left out, which no joint reaches.
     #[inline]
     pub fn push(&mut self, row: Row<T>) {

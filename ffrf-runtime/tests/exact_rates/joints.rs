@@ -106,7 +106,7 @@ fn rows_are_the_derivatives_of_their_residuals() {
                 let exact = dual_kind.rows(&first.path, &second.path, &[driven, zero, zero]);
                 assert_eq!(rows.len(), kind.row_count(), "{kind:?}");
                 for (k, (row, exact)) in rows.iter().zip(exact.iter()).enumerate() {
-                    let bound = DERIVED * size(row, [first, second]);
+                    let bound = DERIVED * size(&row, [first, second]);
                     let exact = exact.residual;
                     let rate = row.velocity(&first.motion, &second.motion);
                     let accelerations = row.first.power(&first.acceleration[0], &first.acceleration[1])

@@ -12,10 +12,10 @@ pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
     };
     let steps = plan.steps.iter().map(|step| {
         let (size, node, diagonal) = (step.size, step.node, step.diagonal);
-        let (couplings, targets) = (step.couplings, step.targets);
+        let (is_diagonal, couplings, targets) = (step.is_diagonal, step.couplings, step.targets);
         quote! {
             Step {
-                size: #size, node: #node, diagonal: #diagonal,
+                size: #size, node: #node, diagonal: #diagonal, is_diagonal: #is_diagonal,
                 couplings: #couplings, targets: #targets,
             }
         }
