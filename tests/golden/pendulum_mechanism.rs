@@ -113,7 +113,7 @@ pub struct PendulumPorts<'a> {
     pub beam: ::ffrf::mechanism::BodyPort<
         'a,
         Beam,
-        [::ffrf::mechanism::AttachedRow<<Beam as ::ffrf::FlexibleBody<f64>>::Modal>; 5usize],
+        [::ffrf::mechanism::AttachedRows<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>; 1usize],
         f64,
     >,
 }
@@ -179,22 +179,36 @@ const _: () = {
         Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
     };
     static STEPS: [Step; 2usize] = [
-        Step { size: 6usize, unknowns: 0usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
-        Step { size: 5usize, unknowns: 6usize, diagonal: 66usize, couplings: 1usize, targets: 1usize },
+        Step {
+            size: 6usize,
+            node: 0usize,
+            diagonal: 0usize,
+            is_diagonal: false,
+            couplings: 0usize,
+            targets: 0usize,
+        },
+        Step {
+            size: 5usize,
+            node: 1usize,
+            diagonal: 2usize,
+            is_diagonal: false,
+            couplings: 1usize,
+            targets: 1usize,
+        },
     ];
-    static COUPLINGS: [Coupling; 1usize] = [Coupling { size: 5usize, unknowns: 6usize }];
-    static TARGETS: [usize; 1usize] = [66usize];
-    static BODIES: [BodyPlace; 1usize] = [BodyPlace { unknowns: 0usize, diagonal: 0usize }];
+    static COUPLINGS: [Coupling; 1usize] = [Coupling { size: 5usize, node: 1usize }];
+    static TARGETS: [usize; 1usize] = [2usize];
+    static BODIES: [BodyPlace; 1usize] = [BodyPlace { node: 0usize, diagonal: 0usize }];
     static JOINTS: [JointPlace; 1usize] = [JointPlace {
         rows: 5usize,
-        unknowns: 6usize,
-        diagonal: 66usize,
+        node: 1usize,
+        diagonal: 2usize,
         ends: [
             ::core::option::Option::None,
             ::core::option::Option::Some(EndPlace {
                 body: 0usize,
                 slot: 0usize,
-                block: Block { start: 36usize, columns: 6usize, transposed: false },
+                block: Block { index: 1usize, transposed: false },
             }),
         ],
     }];
@@ -253,10 +267,7 @@ const _: () = {
         }
         fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
             for port in ::core::slice::from_mut(&mut ports.beam) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
         }
         fn state(&self, ports: Self::Ports<'_>) -> Self::State {
@@ -265,17 +276,23 @@ const _: () = {
         fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R) -> R {
             let still = support::still::<f64>();
             use_it(&mut ::ffrf::mechanism::Storage {
-                values: &mut [::ffrf::generated_support::constant::<f64>(0.0); 182usize],
-                solution: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
-                right: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
-                shift: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
+                blocks: &mut [[[::ffrf::generated_support::constant::<f64>(0.0); 6]; 6]; 3usize],
+                solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 1usize],
                 ends: &mut [[still; 2]; 1usize],
+                used: false,
             })
         }
         fn plan(&self) -> Plan<'_> {
             Plan {
-                elimination: Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+                elimination: Elimination {
+                    steps: &STEPS,
+                    leading: 1usize,
+                    couplings: &COUPLINGS,
+                    targets: &TARGETS,
+                },
                 bodies: &BODIES,
                 joints: &JOINTS,
                 shared: &SHARED,
