@@ -3,14 +3,14 @@
 # Environment:
 #   WORK     scratch folder, everything is installed there (default: a new temporary one)
 #   EXPORTS  folder with rotorDiscTest.inp, ...MASS1.mtx and ...STIF1.mtx (default: ../shared/fe-exports beside the workspace)
-#   PARTS    what to run (default: "work_precision chains")        CPU  core to stay on (default: 1)
+#   PARTS    what to run (default: "work_precision chains agreement")        CPU  core to stay on (default: 1)
 #   PASSES   turns of all columns (default: 3)    ROUNDS  runs of each in a turn, the least counts (default: 3; chains: 30 times as many)
 #   FFRF     the command `ffrf`, if it is built already            OUT  where results go (default: mechanisms/)
 set -u
 here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
 export WORK=${WORK:-$(mktemp -d)}
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$WORK/cargo} FFRF_BODIES=$WORK/bodies
-exports=${EXPORTS:-$root/../shared/fe-exports} parts=${PARTS:-work_precision chains}
+exports=${EXPORTS:-$root/../shared/fe-exports} parts=${PARTS:-work_precision chains agreement}
 passes=${PASSES:-3} rounds=${ROUNDS:-3} out=${OUT:-$here/mechanisms} cpu=${CPU:-1}
 source=$here/mechanisms numbers="1 2 4 8 16 32 64"
 mkdir -p "$FFRF_BODIES" "$out"
@@ -24,13 +24,13 @@ packages=$("$python" -c 'import sysconfig; print(sysconfig.get_path("purelib"))'
 run="taskset -c $cpu nice -n -20"
 nice -n -20 true 2> /dev/null || run="taskset -c $cpu"
 
+if [ -z "${FFRF:-}" ]; then
+    cargo build --release --quiet --manifest-path "$root/Cargo.toml" -p ffrf-cli || exit 1
+    FFRF=$CARGO_TARGET_DIR/release/ffrf
+fi
 "$python" "$source/simeon_body.py" "$FFRF_BODIES" || exit 1
 cases=slider_crank features=
 if [ -f "$exports/rotorDiscTest.inp" ]; then
-    if [ -z "${FFRF:-}" ]; then
-        cargo build --release --quiet --manifest-path "$root/Cargo.toml" -p ffrf-cli || exit 1
-        FFRF=$CARGO_TARGET_DIR/release/ffrf
-    fi
     if "$python" "$source/rotor_body.py" "$exports" "$FFRF_BODIES" "$FFRF" > "$WORK/rotor.log" 2>&1; then
         cases="rotor slider_crank" features=rotor
     else
@@ -78,6 +78,7 @@ for part in $parts; do
             for column in "${columns[@]}"; do $run $column >> "$WORK/chains.jsonl" || exit 1; done
         done
         ;;
+    agreement) "$python" "$source/agreement.py" "$FFRF" "$WORK" "$out" || exit 1 ;;
     *) echo "unknown part $part" >&2; exit 1 ;;
     esac
 done

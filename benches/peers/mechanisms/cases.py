@@ -16,7 +16,8 @@ CASES = {
         },
         "exudyn": {
             "generalised_alpha": halves(5e-4, 7),
-            "generalised_alpha_loose": halves(5e-4, 6),
+            "generalised_alpha_newton_1e-5": halves(5e-4, 6),
+            "generalised_alpha_newton_1e-4": halves(5e-4, 5),
             "generalised_alpha_full_newton": halves(5e-4, 5),
             "generalised_alpha_rotation_vector": halves(5e-4, 5),
             "trapezoidal_index2": halves(5e-4, 7),
@@ -39,7 +40,8 @@ CASES = {
         },
         "exudyn": {
             "generalised_alpha": halves(5e-4, 8),
-            "generalised_alpha_loose": halves(5e-4, 6),
+            "generalised_alpha_newton_1e-5": halves(5e-4, 6),
+            "generalised_alpha_newton_1e-4": halves(5e-4, 5),
             "generalised_alpha_full_newton": halves(5e-4, 5),
             "generalised_alpha_rotation_vector": halves(5e-4, 7),
             "trapezoidal_index2": halves(5e-4, 7),

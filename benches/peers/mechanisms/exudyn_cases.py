@@ -17,7 +17,8 @@ ROTATION_VECTOR = "NodeType.RotationRotationVector"
 # name -> solver, frame node, options
 METHODS = {
     "generalised_alpha": ("implicit", EULER_PARAMETERS, {}),
-    "generalised_alpha_loose": ("implicit", EULER_PARAMETERS, {"newton": 1e-5}),
+    "generalised_alpha_newton_1e-5": ("implicit", EULER_PARAMETERS, {"newton": 1e-5}),
+    "generalised_alpha_newton_1e-4": ("implicit", EULER_PARAMETERS, {"newton": 1e-4}),
     "generalised_alpha_tight": ("implicit", EULER_PARAMETERS, {"newton": 1e-12}),
     "generalised_alpha_full_newton": ("implicit", EULER_PARAMETERS, {"modified": False}),
     "generalised_alpha_rotation_vector": ("implicit", ROTATION_VECTOR, {}),

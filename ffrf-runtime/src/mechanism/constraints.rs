@@ -51,6 +51,8 @@ pub struct Storage<'a, T: RealField + Copy> {
     pub shift: &'a mut [T],
     /// Rows of each joint.
     pub rows: &'a mut [Rows<T>],
+    /// What each friction that follows reactions exerts; as many as there are.
+    pub efforts: &'a mut [T],
     /// Motion of both ends of each joint.
     pub ends: &'a mut [[MarkerMotion<T>; 2]],
 }
@@ -77,7 +79,7 @@ pub enum Target<T = f64> {
         /// What a change of the accelerations is multiplied by to change velocities.
         share: T,
     },
-    /// As [`Constraints::aim`] has stored it.
+    /// As [`Constraints::take_aim`] has put it in the place of residuals.
     Aimed,
     /// Correction of accelerations that act so on places: takes g away. Units: s².
     Position {
@@ -231,7 +233,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                     }
                     Target::Velocity { share } => -row.velocity(first, second) / share,
                     Target::Position { share } => -row.residual / share,
-                    Target::Aimed => get(self.storage.right, place.unknowns + k),
+                    Target::Aimed => row.residual,
                 };
                 for (side, end) in place.ends.iter().enumerate() {
                     let Some(end) = end else { continue };
@@ -254,11 +256,20 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     }
 
     /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
-    /// [`accelerate`](Self::accelerate). `share`: what a change of the unknowns is multiplied by to change places.
+    /// [`take_aim`](Self::take_aim). `share`: what a change of the unknowns is multiplied by to change places.
     pub fn aim(&mut self, share: T) {
         for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter()) {
             for (k, row) in rows.as_slice().iter().enumerate() {
                 set(self.storage.right, place.unknowns + k, -row.residual / share);
+            }
+        }
+    }
+
+    /// Puts what [`aim`](Self::aim) has stored in the place of the residuals of rows that were evaluated anew since.
+    pub fn take_aim(&mut self) {
+        for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter_mut()) {
+            for (k, row) in rows.as_mut_slice().iter_mut().enumerate() {
+                row.residual = get(self.storage.right, place.unknowns + k);
             }
         }
     }

@@ -76,6 +76,11 @@ impl<T: RealField + Copy> Rows<T> {
     pub fn as_slice(&self) -> &[Row<T>] {
         self.rows.get(..self.count).unwrap_or(&[])
     }
+
+    /// The rows, to write to.
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [Row<T>] {
+        self.rows.get_mut(..self.count).unwrap_or(&mut [])
+    }
 }
 
 /// The axes of a triad. Frame: inertial.
