@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The invariants of a model for casadi_c.py of benches/peers. usage: body.py MODEL.ffrf.json MODES OUTPUT.bin
 
-What is below 1e-9 of the largest entry of its invariant is zero, as for our generator: CasADi leaves it out as well.
+What is below 1e-9 of the largest entry of its invariant is zero, as for our generator with layout_tolerance 1e-9 (build.rs):
+what a mesh leaves of symmetries is 1e-10 and less. CasADi leaves zeros out as well.
 """
 import json
 import sys

@@ -16,7 +16,7 @@ fn main() {
     }
     let text = format!(
         "pub type Scalar = {scalar};\npub const MODES: usize = {modes};\npub const ALL: usize = 6 + MODES;\n\
-         ffrf::flexible_body! {{\n    pub struct Body {{ model: \"../../models/conrod.ffrf.json\", modes: ..{modes}, scalar: {scalar}, fma: off }}\n}}\n"
+         ffrf::flexible_body! {{\n    pub struct Body {{ model: \"../../models/conrod.ffrf.json\", modes: ..{modes}, scalar: {scalar}, fma: off, layout_tolerance: 1e-9 }}\n}}\n"
     );
     let folder = PathBuf::from(std::env::var_os("OUT_DIR").expect("cargo sets it"));
     std::fs::write(folder.join("body.rs"), text).expect("OUT_DIR can be written to");

@@ -3,6 +3,9 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
+use ffrf_codegen::DEFAULT_LAYOUT_TOLERANCE;
+
+use super::code::parse_tolerance;
 
 /// A core that is emulated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -50,6 +53,9 @@ pub struct Budget {
     /// Use the first N modes of a body; a scene says it itself.
     #[arg(long, value_name = "N")]
     pub modes: Option<usize>,
+    /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
+    #[arg(long, value_name = "X", default_value_t = DEFAULT_LAYOUT_TOLERANCE, value_parser = parse_tolerance)]
+    pub layout_tolerance: f64,
     /// Which step is counted.
     #[arg(long, default_value = "rk4")]
     pub integrator: TargetIntegrator,

@@ -35,6 +35,8 @@ pub struct Program {
     pub data_begins: Vec<(u32, bool)>,
     /// Address and bytes of each section with code.
     code: Vec<(u32, Vec<u8>)>,
+    /// The bytes of each section with constants or variables.
+    data: Vec<Vec<u8>>,
 }
 
 struct Section {
@@ -61,7 +63,7 @@ impl Program {
         }
         let sections = sections(bytes).context("the table of sections is cut short")?;
         let mut sizes = Sizes::default();
-        let mut code = Vec::new();
+        let (mut code, mut data) = (Vec::new(), Vec::new());
         for section in sections.iter().filter(|section| section.flags & ALLOCATED != 0) {
             let size = u64::from(section.size);
             if section.flags & EXECUTABLE != 0 {
@@ -71,6 +73,9 @@ impl Program {
                 sizes.variables += size;
             } else if section.name != ".vector_table" {
                 sizes.tables += size;
+            }
+            if section.flags & EXECUTABLE == 0 && section.name != ".vector_table" {
+                data.push(section.bytes.clone().unwrap_or_default());
             }
         }
         let (mut functions, data_begins) = symbols(&sections).context("the table of symbols is cut short")?;
@@ -84,7 +89,7 @@ impl Program {
                 function.size = next - function.address;
             }
         }
-        Ok(Self { sizes, functions, data_begins, code })
+        Ok(Self { sizes, functions, data_begins, code, data })
     }
 
     /// The function at this address.
@@ -96,6 +101,22 @@ impl Program {
     /// The only function whose symbol holds `part`.
     pub fn function_named(&self, part: &str) -> Option<&Function> {
         self.functions.iter().find(|function| function.name.contains(part))
+    }
+
+    /// The functions whose address stands in constants or variables, or between functions: what a call through a
+    /// register can reach, besides addresses that the code makes.
+    pub fn addressed(&self) -> Vec<&Function> {
+        let words = |bytes: &[u8]| -> Vec<u32> {
+            bytes.chunks_exact(4).filter_map(|word| Some(u32::from_le_bytes(word.try_into().ok()?))).collect()
+        };
+        let mut addresses: Vec<u32> = self.data.iter().flat_map(|bytes| words(bytes)).collect();
+        addresses.extend(self.code.iter().flat_map(|(_, bytes)| words(bytes)));
+        addresses.sort_unstable();
+        // the lowest bit of a pointer says that the code is Thumb
+        self.functions
+            .iter()
+            .filter(|function| addresses.binary_search(&(function.address | 1)).is_ok())
+            .collect()
     }
 
     /// The 16-bit unit of code at `address`.

@@ -10,7 +10,7 @@ use ffrf_host::scene::file::{FidelityValue, SceneFile};
 use ffrf_model::{ModeSelection, ReducedBody};
 
 use super::mechanism_code;
-use crate::arguments::TargetIntegrator;
+use crate::arguments::{Budget, TargetIntegrator};
 
 /// What is measured, as text.
 pub struct Subject {
@@ -29,25 +29,22 @@ const PART_OF_STABLE_STEP: f64 = 0.5;
 /// A usual tick of a controller. Units: s.
 const TICK: f64 = 1e-3;
 
-fn options(name: &str, scalar: ScalarType) -> GenerateOptions {
+fn options(name: &str, scalar: ScalarType, arguments: &Budget) -> GenerateOptions {
     GenerateOptions {
         name: name.to_owned(),
         scalar,
+        layout_tolerance: arguments.layout_tolerance,
         fused_multiply_add: FusedMultiplyAdd::Off,
         ..GenerateOptions::default()
     }
 }
 
 /// A single body.
-pub fn body(
-    path: &Path,
-    modes: Option<usize>,
-    scalar: ScalarType,
-    integrator: TargetIntegrator,
-    step: Option<f64>,
-) -> Result<Subject> {
+pub fn body(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
+    let Budget { file: path, modes, integrator, step, .. } = arguments;
+    let (modes, integrator, step) = (*modes, *integrator, *step);
     let model = ReducedBody::read(path)?;
-    let mut options = options("Body", scalar);
+    let mut options = options("Body", scalar, arguments);
     options.modes = modes.map(ModeSelection::First);
     let code = ffrf_codegen::generate(&model, &options).with_context(|| format!("{}", path.display()))?;
     let count = modes.unwrap_or_else(|| model.mode_count());
@@ -74,12 +71,8 @@ pub fn body(
 }
 
 /// A mechanism.
-pub fn scene(
-    path: &Path,
-    scalar: ScalarType,
-    integrator: TargetIntegrator,
-    step: Option<f64>,
-) -> Result<Subject> {
+pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
+    let (path, integrator) = (&arguments.file, arguments.integrator);
     let file = SceneFile::read(path)?;
     let scene = Scene::read(path)?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
@@ -97,7 +90,7 @@ pub fn scene(
             continue;
         }
         let type_name = format!("Body{}", made.len());
-        let mut options = options(&type_name, scalar);
+        let mut options = options(&type_name, scalar, arguments);
         options.modes = table.modes.map(ModeSelection::First);
         if let Some(fidelity) = &table.fidelity {
             options.fidelity = match fidelity {
@@ -135,15 +128,15 @@ pub fn scene(
             }
         }
     }
-    let arguments: Vec<&str> = types.iter().flatten().map(String::as_str).collect();
-    let step_size = step.unwrap_or(match (scene.settings.step, integrator) {
+    let flexible: Vec<&str> = types.iter().flatten().map(String::as_str).collect();
+    let step_size = arguments.step.unwrap_or(match (scene.settings.step, integrator) {
         (ffrf_host::scene::StepChoice::Fixed(step), TargetIntegrator::RungeKutta) => step,
         _ => TICK,
     });
     let _ = writeln!(library, "pub const STEP: f64 = {step_size:?};");
     let step = STEP_OF_MECHANISM
         .replace("METHOD", method(integrator))
-        .replace("ARGUMENTS", &arguments.join(", "))
+        .replace("ARGUMENTS", &flexible.join(", "))
         .replace("SET", &set);
     let title = format!("{}, {}", path.display(), method(integrator));
     Ok(Subject { title, library, step, kernels: None })

@@ -57,7 +57,11 @@ pub fn text(subject: &Subject, core: Core, scalar: TargetScalar, found: &Found) 
         format!("{variables:>8} bytes; model and state take {} where they are kept", found.run.state),
     );
     for one in &found.run.measured {
-        line("stack of a step", format!("{:>8} bytes, at most {}", one.stack, found.bound));
+        let bound = match &found.bound {
+            Ok(bound) => format!("at most {bound}"),
+            Err(error) => format!("without a bound: {}", crate::report::chain(error)),
+        };
+        line("stack of a step", format!("{:>8} bytes, {bound}", one.stack));
         line("instructions of a step", format!("{:>8}, {} on average", one.most, one.mean));
         let share = one.most as f64 * TICK / (clock * 1e6);
         line("share of a 1 kHz tick", format!("{:>7.1} % at {clock} MHz", 100.0 * share));

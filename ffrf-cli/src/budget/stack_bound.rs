@@ -1,7 +1,8 @@
 //! The most stack that a function can take, from its machine code (Thumb-2): the frames along the deepest way of calls.
 //!
 //! Every instruction that moves the stack pointer down counts, whether it is reached or not, and every call. A call through
-//! a register, a recursion, or a frame whose size is not a constant is an error: then there is no bound.
+//! a register may reach every function whose address stands in a table or is made in the code. A recursion, or a frame whose
+//! size is not a constant, is an error: then there is no bound.
 //!
 //! Encodings: ARMv7-M Architecture Reference Manual (DDI 0403E), A7.
 
@@ -16,41 +17,64 @@ use super::elf::{Function, Program};
 struct Frame {
     bytes: u64,
     calls: Vec<u32>,
+    /// Whether it calls through a register.
+    is_indirect: bool,
+    /// Addresses that it makes of constants.
+    made: Vec<u32>,
+}
+
+/// What is known while a bound is found.
+struct Search<'a> {
+    program: &'a Program,
+    /// The depth of each function, by address.
+    known: BTreeMap<u32, u64>,
+    /// Where calls through registers can lead.
+    addressed: Vec<u32>,
 }
 
 /// The bound for `function` and all that it calls. Units: bytes.
 pub fn bound(program: &Program, function: &Function) -> Result<u64> {
-    let mut known = BTreeMap::new();
-    depth(program, function, &mut known, &mut Vec::new())
+    let mut addressed: Vec<u32> = program.addressed().iter().map(|function| function.address).collect();
+    for one in &program.functions {
+        // what cannot be read here is an error where it is called
+        let made = frame(program, one).map(|frame| frame.made).unwrap_or_default();
+        let starts =
+            |address: &u32| program.functions.iter().any(|function| function.address | 1 == *address);
+        addressed.extend(made.iter().filter(|address| starts(address)).map(|address| address & !1));
+    }
+    addressed.sort_unstable();
+    addressed.dedup();
+    Search { program, known: BTreeMap::new(), addressed }.depth(function, &mut Vec::new())
 }
 
-fn depth(
-    program: &Program,
-    function: &Function,
-    known: &mut BTreeMap<u32, u64>,
-    way: &mut Vec<u32>,
-) -> Result<u64> {
-    if let Some(depth) = known.get(&function.address) {
-        return Ok(*depth);
-    }
-    if way.contains(&function.address) {
-        bail!("{} calls itself", function.name);
-    }
-    way.push(function.address);
-    let frame = frame(program, function).with_context(|| function.name.clone())?;
-    let mut deepest = 0;
-    for target in frame.calls {
-        let called = program
-            .function_at(target)
-            .with_context(|| format!("{} calls {target:#x}, where no function is", function.name))?;
-        // a jump back into the caller itself is a loop
-        if called.address != function.address || target == function.address {
-            deepest = deepest.max(depth(program, called, known, way)?);
+impl Search<'_> {
+    fn depth(&mut self, function: &Function, way: &mut Vec<u32>) -> Result<u64> {
+        if let Some(depth) = self.known.get(&function.address) {
+            return Ok(*depth);
         }
+        if way.contains(&function.address) {
+            bail!("{} may call itself", function.name);
+        }
+        way.push(function.address);
+        let mut frame = frame(self.program, function).with_context(|| function.name.clone())?;
+        if frame.is_indirect {
+            frame.calls.extend(&self.addressed);
+        }
+        let mut deepest = 0;
+        for target in frame.calls {
+            let called = self
+                .program
+                .function_at(target)
+                .with_context(|| format!("{} calls {target:#x}, where no function is", function.name))?;
+            // a jump back into the caller itself is a loop
+            if called.address != function.address || target == function.address {
+                deepest = deepest.max(self.depth(called, way)?);
+            }
+        }
+        way.pop();
+        self.known.insert(function.address, frame.bytes + deepest);
+        Ok(frame.bytes + deepest)
     }
-    way.pop();
-    known.insert(function.address, frame.bytes + deepest);
-    Ok(frame.bytes + deepest)
 }
 
 fn frame(program: &Program, function: &Function) -> Result<Frame> {
@@ -77,6 +101,8 @@ fn frame(program: &Program, function: &Function) -> Result<Frame> {
             Step::Call(target) => frame.calls.push(target),
             Step::Jump(target) if (function.address..end).contains(&target) => {}
             Step::Jump(target) => frame.calls.push(target),
+            Step::Indirect => frame.is_indirect = true,
+            Step::Made(word) => frame.made.push(word),
             Step::Unknown(what) => bail!("{what} at {address:#x}: no bound of the stack"),
         }
         address += if wide { 4 } else { 2 };
@@ -95,6 +121,10 @@ enum Step {
     Push(u32),
     Call(u32),
     Jump(u32),
+    /// A call or a jump through a register.
+    Indirect,
+    /// A word made of two constants, which may be an address.
+    Made(u32),
     Unknown(&'static str),
 }
 
@@ -111,11 +141,11 @@ fn narrow_instruction(first: u16, address: u32) -> Step {
         return Step::Push(4 * (w & 0x7f));
     }
     if w & 0xff87 == 0x4780 {
-        return Step::Unknown("a call through a register");
+        return Step::Indirect;
     }
     // bx, other than to the return address
     if w & 0xff87 == 0x4700 && w >> 3 & 15 != 14 {
-        return Step::Unknown("a jump through a register");
+        return Step::Indirect;
     }
     // mov sp, rm; from r7 it takes a frame away
     if w & 0xff87 == 0x4685 {
@@ -169,7 +199,7 @@ fn wide_instruction(first: u16, second: u16, address: u32, constants: &mut [Opti
     }
     if a & 0xfbf0 == 0xf2c0 {
         constants[to] = constants[to].map(|low| ((a & 15) << 12 | immediate) << 16 | low & 0xffff);
-        return Step::Nothing;
+        return constants[to].map_or(Step::Nothing, Step::Made);
     }
     if to == 13 {
         // sub sp, sp, #constant in its two forms, and sub sp, sp, rm
@@ -234,7 +264,8 @@ mod tests {
         assert_eq!(wide(0xf7ff, 0xbffe), Step::Jump(0x1000)); // b.w .
         assert_eq!(narrow_instruction(0xe7fe, 0x1000), Step::Jump(0x1000)); // b .
         assert_eq!(narrow_instruction(0x4770, 0), Step::Nothing); // bx lr
-        assert!(matches!(narrow_instruction(0x4798, 0), Step::Unknown(_))); // blx r3
+        assert_eq!(narrow_instruction(0x4798, 0), Step::Indirect); // blx r3
+        assert_eq!(narrow_instruction(0x4718, 0), Step::Indirect); // bx r3
     }
 
     #[test]
