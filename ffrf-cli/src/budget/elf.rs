@@ -165,8 +165,11 @@ fn sections(bytes: &[u8]) -> Option<Vec<Section>> {
         .collect()
 }
 
-/// Functions, and where data and code begin ($d and $t of the ABI).
-fn symbols(sections: &[Section]) -> Option<(Vec<Function>, Vec<(u32, bool)>)> {
+/// Where data ($d of the ABI, true) or code ($t) begins.
+type Mark = (u32, bool);
+
+/// Functions, and where data and code begin.
+fn symbols(sections: &[Section]) -> Option<(Vec<Function>, Vec<Mark>)> {
     const ENTRY: usize = 16;
     const FUNCTION: u8 = 2;
     let (mut functions, mut data_begins) = (Vec::new(), Vec::new());

@@ -98,7 +98,7 @@ pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
                 FidelityValue::Terms(terms) => terms.join(",").parse()?,
             };
         }
-        let code = ffrf_codegen::generate(&ReducedBody::read(&folder.join(model))?, &options)?;
+        let code = ffrf_codegen::generate(&ReducedBody::read(folder.join(model))?, &options)?;
         let _ = writeln!(library, "{}", code.text);
         made.push((key, type_name.clone()));
         types.push(Some(type_name));
