@@ -36,7 +36,8 @@ fn compiled_bodies_agree_with_the_reference_cases() {
         .arg(scratch.join("Cargo.toml"))
         .arg("--")
         .arg(reference.canonicalize().expect("reference folder"))
-        .env("CARGO_TARGET_DIR", scratch.join("target"))
+        // What the workspace has built is used; `scratch` is in the `tmp` of its target folder.
+        .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("a target folder"))
         .output()
         .expect("cargo runs");
     let (told, complaints) =
