@@ -4,6 +4,7 @@ mod code;
 mod interfaces;
 mod linearise;
 mod simulate;
+mod tradeoff;
 
 use std::path::PathBuf;
 
@@ -15,6 +16,7 @@ pub use code::{Generate, Inspect};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
+pub use tradeoff::{Plan, Tradeoff};
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.
 #[derive(Debug, Parser)]
@@ -53,7 +55,23 @@ pub enum Command {
     /// Eigenfrequencies and whirl of a mechanism against the speed at which it turns.
     #[command(after_help = CAMPBELL_EXAMPLE)]
     Campbell(Campbell),
+    /// Run a scene in many configurations (modes, fidelity, scalar, integrator, step): errors against cost.
+    #[command(after_help = TRADEOFF_EXAMPLE)]
+    Tradeoff(Tradeoff),
+    /// Choose modes, terms, scalar, integrator and step of a scene for an error that is allowed, and say why.
+    #[command(after_help = PLAN_EXAMPLE)]
+    Plan(Plan),
 }
+
+const PLAN_EXAMPLE: &str = "\
+Examples:
+  ffrf plan slider_crank.toml --error 1e-3
+  ffrf plan slider_crank.toml --error 1e-2 --quantity reaction --scalar f64 --measure";
+
+const TRADEOFF_EXAMPLE: &str = "\
+Examples:
+  ffrf tradeoff slider_crank.toml -o sweep
+  ffrf tradeoff slider_crank.toml -o sweep --modes 0,2,4 --integrator rk4,dopri5 --step 1e-5,1e-6 --quantity reaction";
 
 const LINEARISE_EXAMPLE: &str = "\
 Examples:

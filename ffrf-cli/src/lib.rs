@@ -18,6 +18,7 @@ mod inspect;
 mod linearise;
 mod modes;
 mod output;
+mod plan;
 mod plots;
 mod progress;
 mod reduce;
@@ -26,6 +27,8 @@ mod results;
 mod sample_states;
 mod simulate;
 mod states;
+mod trade_text;
+mod tradeoff;
 mod verify;
 
 use std::process::ExitCode;
@@ -56,6 +59,8 @@ pub fn run() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Linearise(arguments) => linearise::run(&arguments),
         Command::Campbell(arguments) => campbell::run(&arguments),
+        Command::Plan(arguments) => plan::run(&arguments),
+        Command::Tradeoff(arguments) => tradeoff::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

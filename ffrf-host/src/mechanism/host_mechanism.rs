@@ -210,6 +210,16 @@ impl<T: RealField + Copy> HostMechanism<T> {
         }
     }
 
+    /// Multiply-adds of factoring the constrained equations, and the numbers that the solve keeps.
+    pub fn solve_cost(&self) -> (f64, usize) {
+        (self.plan.multiply_adds(), self.plan.value_count + 3 * self.plan.unknown_count)
+    }
+
+    /// Constraint rows on each body.
+    pub fn attached_row_counts(&self) -> &[usize] {
+        &self.plan.attached_rows
+    }
+
     /// The bodies.
     pub fn bodies(&self) -> &[HostBody<T>] {
         &self.bodies

@@ -7,13 +7,15 @@ use ffrf_runtime::{
     step_symplectic_euler, try_dormand_prince,
 };
 
+use nalgebra::{RealField, convert, try_convert};
+
 use crate::mechanism::{HostIncrement, JointCoordinates};
 use crate::scene::{Integrator, Settings, StepChoice};
 use crate::{HostMechanism, HostModal};
 
-/// The step sizes and counts of a simulation so far.
+/// The step sizes and counts of a simulation so far, in any number type.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Advance {
+pub struct Advance<T: RealField + Copy = f64> {
     /// What an error-controlled integrator tries next. Units: s.
     pub next_step: f64,
     /// Accepted steps.
@@ -21,15 +23,17 @@ pub struct Advance {
     /// Refused tries of error-controlled steps.
     pub refused: u64,
     /// Largest drift from the constraints of a step, before it was corrected.
-    pub drift: Drift,
+    pub drift: Drift<T>,
     /// Most iterations that an implicit step took.
     pub iterations: usize,
+    /// Iterations of all steps.
+    pub iterations_in_all: u64,
     /// What the generalised-α method remembers of its last step.
-    pub memory: Option<AlphaMemory<HostIncrement>>,
+    pub memory: Option<AlphaMemory<HostIncrement<T>>>,
 }
 
 /// The states of all bodies.
-type States = Vec<State<HostModal>>;
+type States<T = f64> = Vec<State<HostModal<T>, T>>;
 
 /// From one sample to the next. Units: s.
 struct Interval {
@@ -43,16 +47,26 @@ const SMALLEST_SHARE: f64 = 1e-12;
 /// A step is not cut shorter than this share of itself to end at a sample: it is stretched instead.
 const STRETCH: f64 = 1e-9;
 
-impl Advance {
+impl<T: RealField + Copy> Advance<T> {
     /// Before the first step.
     pub fn new(settings: &Settings) -> Self {
         let next_step = match settings.step {
             StepChoice::Fixed(step) => step,
             StepChoice::Tolerance(_) => 1e-2 * settings.output_step,
         };
-        Self { next_step, steps: 0, refused: 0, drift: Drift::none(), iterations: 0, memory: None }
+        Self {
+            next_step,
+            steps: 0,
+            refused: 0,
+            drift: Drift::none(),
+            iterations: 0,
+            iterations_in_all: 0,
+            memory: None,
+        }
     }
+}
 
+impl Advance {
     /// The state at `end`, from `state` at `start`. Fixed steps are equal, and at most as long as wanted.
     ///
     /// `tree`: the joint coordinates of the mechanism, if they are what is integrated; explicit integrators only, others
@@ -66,30 +80,44 @@ impl Advance {
         start: f64,
         end: f64,
     ) -> Result<States, (f64, StepError)> {
-        let interval = Interval { start, end };
-        let step = |advance: &mut Self, state: &States, time: f64, step: f64| {
-            advance.fixed(mechanism, settings, state, time, step)
-        };
         match (tree, settings.integrator) {
             (Some(tree), Integrator::SymplecticEuler | Integrator::Rk4 | Integrator::Dopri5) => {
                 let state = tree.relative(&state);
                 let step = |_: &mut Self, state: &States, time: f64, step: f64| {
                     explicit(settings.integrator, tree, state, time, step)
                 };
+                let interval = Interval { start, end };
                 self.through(tree, settings.step, state, interval, step).map(|state| tree.absolute(&state))
             }
-            _ => self.through(&Constrained(mechanism), settings.step, state, interval, step),
+            _ => self.in_space(mechanism, settings, state, start, end),
         }
+    }
+}
+
+impl<T: RealField + Copy> Advance<T> {
+    /// [`to`](Advance::to) in absolute coordinates, in any number type; times are counted in f64.
+    pub fn in_space(
+        &mut self,
+        mechanism: &HostMechanism<T>,
+        settings: &Settings,
+        state: States<T>,
+        start: f64,
+        end: f64,
+    ) -> Result<States<T>, (f64, StepError)> {
+        let step = |advance: &mut Self, state: &States<T>, time: T, step: T| {
+            advance.fixed(mechanism, settings, state, time, step)
+        };
+        self.through(&Constrained(mechanism), settings.step, state, Interval { start, end }, step)
     }
 
     /// Steps through an interval: `fixed` takes one of a given size.
-    fn through<S: System<f64>>(
+    fn through<S: System<T>>(
         &mut self,
         system: &S,
         choice: StepChoice,
         mut state: S::State,
         Interval { start, end }: Interval,
-        fixed: impl Fn(&mut Self, &S::State, f64, f64) -> Result<(S::State, StepReport), StepError>,
+        fixed: impl Fn(&mut Self, &S::State, T, T) -> Result<(S::State, StepReport<T>), StepError>,
     ) -> Result<S::State, (f64, StepError)> {
         match choice {
             StepChoice::Fixed(longest) => {
@@ -97,33 +125,35 @@ impl Advance {
                 let step = (end - start) / count;
                 for k in 0..count as u64 {
                     let time = start + k as f64 * step;
-                    let (next, report) = fixed(self, &state, time, step).map_err(|error| (time, error))?;
+                    let (next, report) =
+                        fixed(self, &state, convert(time), convert(step)).map_err(|error| (time, error))?;
                     state = next;
                     self.accept(&report);
                 }
             }
             StepChoice::Tolerance(relative) => {
-                let tolerances = Tolerances { relative, absolute: relative * ABSOLUTE_SHARE };
+                let tolerances =
+                    Tolerances { relative: convert(relative), absolute: convert(relative * ABSOLUTE_SHARE) };
                 let mut time = start;
                 while time < end {
                     let rest = end - time;
                     let last = self.next_step >= rest * (1.0 - STRETCH);
                     // a step that leaves only a little is halved
                     let step = if last { rest } else { self.next_step.min(0.5 * rest) };
-                    let tried = try_dormand_prince(system, &state, time, step, &tolerances)
+                    let tried = try_dormand_prince(system, &state, convert(time), convert(step), &tolerances)
                         .map_err(|error| (time, error))?;
+                    let proposed = try_convert(tried.next_step).unwrap_or(f64::NAN);
                     match tried.accepted {
                         Some((next, report)) => {
                             state = next;
                             time = if last { end } else { time + step };
                             self.accept(&report);
                             // a step cut short by a sample says little about the next one
-                            self.next_step =
-                                if last { tried.next_step.max(self.next_step) } else { tried.next_step };
+                            self.next_step = if last { proposed.max(self.next_step) } else { proposed };
                         }
                         None => {
                             self.refused += 1;
-                            self.next_step = tried.next_step;
+                            self.next_step = proposed;
                             if self.next_step.is_nan() || self.next_step <= SMALLEST_SHARE * (end - start) {
                                 return Err((time, StepError::StepSize { found: self.next_step }));
                             }
@@ -138,12 +168,12 @@ impl Advance {
     /// One step of a fixed size in absolute coordinates.
     fn fixed(
         &mut self,
-        mechanism: &HostMechanism,
+        mechanism: &HostMechanism<T>,
         settings: &Settings,
-        state: &States,
-        time: f64,
-        step: f64,
-    ) -> Result<(States, StepReport), StepError> {
+        state: &States<T>,
+        time: T,
+        step: T,
+    ) -> Result<(States<T>, StepReport<T>), StepError> {
         let system = &Constrained(mechanism);
         match settings.integrator {
             Integrator::SymplecticEuler | Integrator::Rk4 | Integrator::Dopri5 => {
@@ -152,8 +182,8 @@ impl Advance {
             Integrator::LinearlyImplicit => step_linearly_implicit(system, state, time, step),
             Integrator::LinearlyImplicitEuler => step_linearly_implicit_euler(system, state, time, step),
             Integrator::GeneralizedAlpha => {
-                let method =
-                    GeneralisedAlpha { spectral_radius: settings.spectral_radius, ..GeneralisedAlpha::new() };
+                let spectral_radius = convert(settings.spectral_radius);
+                let method = GeneralisedAlpha { spectral_radius, ..GeneralisedAlpha::new() };
                 let memory = match &mut self.memory {
                     Some(memory) => memory,
                     none => none.insert(method.start(system, state, time, step)?),
@@ -165,22 +195,23 @@ impl Advance {
         }
     }
 
-    fn accept(&mut self, report: &StepReport) {
+    fn accept(&mut self, report: &StepReport<T>) {
         self.steps += 1;
         self.drift.position = self.drift.position.max(report.drift.position);
         self.drift.velocity = self.drift.velocity.max(report.drift.velocity);
         self.iterations = self.iterations.max(report.iterations);
+        self.iterations_in_all += report.iterations as u64;
     }
 }
 
 /// One step of an explicit integrator; the classical Runge-Kutta method for all that are not named here.
-fn explicit<S: System<f64>>(
+fn explicit<T: RealField + Copy, S: System<T>>(
     integrator: Integrator,
     system: &S,
     state: &S::State,
-    time: f64,
-    step: f64,
-) -> Result<(S::State, StepReport), StepError> {
+    time: T,
+    step: T,
+) -> Result<(S::State, StepReport<T>), StepError> {
     match integrator {
         Integrator::SymplecticEuler => step_symplectic_euler(system, state, time, step),
         Integrator::Dopri5 => step_dormand_prince(system, state, time, step),

@@ -12,7 +12,7 @@ pub use advance::Advance;
 pub use check::{SceneCheck, check};
 pub use events::{Ended, Event, EventFunction, Then, run_with_events};
 pub use run::{Progress, SimulationError, Summary, simulate};
-pub(crate) use sample::read as read_sensor;
 pub use sample::{Sample, header};
+pub(crate) use sample::{read as read_sensor, total_energy};
 pub use saved_state::{BodyState, SavedState, StateError};
 pub use spin::SpinWarning;

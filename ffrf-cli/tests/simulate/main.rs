@@ -1,6 +1,10 @@
 //! `ffrf simulate` as a user runs it: the scenes of `models/scenes`, saved states, refusals.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
+#[path = "../common/mod.rs"]
+mod common;
+mod tradeoff;
+
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
