@@ -9,19 +9,20 @@ if ! command -v valgrind > /dev/null || [ "$(uname -m)" != x86_64 ]; then
     echo "SKIPPED: instruction counts need valgrind on x86-64" >&2
     exit 0
 fi
-target() { # of a package
-    echo "${CARGO_TARGET_DIR:-$here/$1/target}/instruction-counts"
-}
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$here/../target}
+# Named, so that the flags are not meant for what runs while building: the release build of the workspace has that already.
+platform=$(rustc -vV | sed -n 's/^host: //p')
+programs=$CARGO_TARGET_DIR/$platform/release
 for package in kernels mechanisms; do
-    RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=$(target $package) \
-        cargo build --release --quiet --manifest-path "$here/$package/Cargo.toml" --bin count_$package || exit 1
+    RUSTFLAGS="-C target-cpu=x86-64-v3" cargo build --release --quiet --target "$platform" \
+        --manifest-path "$here/$package/Cargo.toml" --bin count_$package || exit 1
 done
 scratch=$(mktemp -d)
 trap 'rm -r "$scratch"' EXIT
 counts() { # package, name: instructions of a hundred calls less those of none, by the hundred
     local with without
     for calls in 0 100; do
-        valgrind --tool=callgrind --callgrind-out-file="$scratch/out" "$(target "$1")/release/count_$1" "$2" $calls \
+        valgrind --tool=callgrind --callgrind-out-file="$scratch/out" "$programs/count_$1" "$2" $calls \
             > /dev/null 2> "$scratch/log" || { cat "$scratch/log" >&2; return 1; }
         [ $calls = 0 ] && without=$(awk '/^(totals|summary):/ {print $2; exit}' "$scratch/out")
         [ $calls = 100 ] && with=$(awk '/^(totals|summary):/ {print $2; exit}' "$scratch/out")
@@ -32,7 +33,7 @@ counts() { # package, name: instructions of a hundred calls less those of none, 
     echo "{"
     separator=""
     for package in kernels mechanisms; do
-        for name in $("$(target $package)/release/count_$package" --list); do
+        for name in $("$programs/count_$package" --list); do
             printf '%s  "%s": %s' "$separator" "$name" "$(counts $package "$name")"
             separator=$',\n'
         done

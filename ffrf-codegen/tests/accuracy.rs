@@ -6,7 +6,7 @@ use ffrf_test_kit::random::Random;
 use ffrf_test_kit::random_body::{Modes, random_body};
 
 /// Of M w + Q + K q + D q̇ - f relative to the terms of its row: some dozens of roundings, of which 7e-16 is found. The
-/// frames are along the bodies and forces of any kind; for others see `tests/slender_bodies` of the facade.
+/// frames are along the bodies and forces of any kind; for others see `tests/accuracy_of_accelerations/slender_bodies` of the facade.
 const RESIDUAL: f64 = 1e-14;
 
 /// The residual of the equations of motion at a random state, relative to the size of what is summed.

@@ -137,7 +137,7 @@ mod tests {
         assert_eq!(tokens.to_string(), quote! { #printed #watch }.to_string());
     }
 
-    /// The same table is held against the command line in `ffrf-cli/tests/doors.rs`.
+    /// The same table is held against the command line in `ffrf-cli/tests/commands/doors.rs`.
     #[test]
     fn every_option_means_the_same_at_every_door() {
         let path = format!("../models/{}", doors::MODEL);

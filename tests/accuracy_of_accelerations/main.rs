@@ -14,6 +14,7 @@ mod fields;
 mod loops;
 mod measure;
 mod real;
+mod slender_bodies;
 mod tolerances;
 
 use families::Family;

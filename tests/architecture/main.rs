@@ -11,5 +11,6 @@ mod citations;
 mod files;
 mod generator;
 mod imports;
+mod licences;
 mod paths;
 mod unsafe_code;

@@ -6,5 +6,6 @@ mod conservation;
 mod elastic_force;
 mod equivalence;
 mod modes;
+mod oracle;
 mod tolerances;
 mod validity;

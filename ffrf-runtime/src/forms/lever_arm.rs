@@ -9,7 +9,7 @@
 /// additions per call (nothing where the position of the marker is needed anyway), and is wrong by Ψ q × f̄ in the moment
 /// of a force and by ω × Ψ q in the velocity that a constraint sees: of first order in the deflection over the distance from
 /// the frame origin. Energy balances only if force and velocity use the same lever arm, `Deformed`.
-/// Measured: `docs/theory/lever_arms.md`, printed by `cargo test -p ffrf --test lever_arms -- --nocapture`.
+/// Measured: `docs/theory/lever_arms.md`, printed by `cargo test -p ffrf --test macro_bodies lever_arms -- --nocapture`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LeverArm {
     /// x + Ψ q: exact. Source: (199)-(201) and (215) with the terms P_fr.

@@ -1,6 +1,6 @@
 //! The same choices in the words of each door: the macro's fields, the command line's flags, the generator's options.
 //!
-//! `ffrf-macros` tests that the macro expands to what the generator makes of the options, `ffrf-cli/tests/doors.rs` that
+//! `ffrf-macros` tests that the macro expands to what the generator makes of the options, `ffrf-cli/tests/commands/doors.rs` that
 //! the command prints the same text.
 
 use ffrf_codegen::invariants::{Invariant, Structure};

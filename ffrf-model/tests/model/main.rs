@@ -1,0 +1,8 @@
+//! The model file and the body in it: format, checks, derived quantities, and how files are written.
+
+mod check;
+mod derived;
+mod file;
+mod output;
+mod sample;
+mod stable_step;

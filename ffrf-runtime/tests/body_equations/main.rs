@@ -1,0 +1,7 @@
+//! The equations of one body in one state: forms, loads, lever arms, and what follows from the deformed quantities.
+
+mod hand_written_bodies;
+mod lever_arm;
+mod loads;
+mod prepared;
+mod reference_forms;

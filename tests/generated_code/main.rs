@@ -1,0 +1,124 @@
+//! Generated code that is committed, Rust and C: it is up to date, it compiles, and it computes what the equations say.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+#[path = "../golden/bodies.rs"]
+mod bodies;
+mod c;
+mod c_program;
+mod jacobians;
+#[rustfmt::skip]
+#[path = "../golden/constant_m2.rs"]
+mod constant_m2;
+#[rustfmt::skip]
+#[path = "../golden/free_free_m3.rs"]
+mod free_free_m3;
+#[rustfmt::skip]
+#[path = "../golden/general_m2.rs"]
+mod general_m2;
+#[rustfmt::skip]
+#[path = "../golden/generic_m2.rs"]
+mod generic_m2;
+#[rustfmt::skip]
+#[path = "../golden/jacobians_m2.rs"]
+mod jacobians_m2;
+#[rustfmt::skip]
+#[path = "../golden/normalised_m3.rs"]
+mod normalised_m3;
+#[rustfmt::skip]
+#[path = "../golden/rigid.rs"]
+mod rigid;
+#[rustfmt::skip]
+#[path = "../golden/single_m3.rs"]
+mod single_m3;
+
+use std::path::Path;
+
+use bodies::all;
+use ffrf_codegen::{Kernels, generate};
+use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::witness;
+
+/// Set to rewrite the committed files.
+const UPDATE: &str = "FFRF_UPDATE_GOLDEN";
+
+#[test]
+fn committed_code_is_what_the_generator_prints() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let mut stale = Vec::new();
+    for (name, body, options) in all() {
+        let text = generate(&body, &options).unwrap().text;
+        // A second run prints the same bytes.
+        assert_eq!(text, generate(&body, &options).unwrap().text);
+        let path = folder.join(format!("{name}.rs"));
+        let committed = std::fs::read_to_string(&path).unwrap_or_default();
+        let text = format!("//! Generated code, committed: see tests/generated_code/main.rs.\n\n{text}");
+        if committed != text {
+            stale.push(name);
+            if std::env::var_os(UPDATE).is_some() {
+                std::fs::write(&path, text).unwrap();
+            }
+        }
+    }
+    // The model that tests/macro_bodies/models.rs names.
+    let model = random_body(11, 4, Modes::Random);
+    let path = folder.join("../models/random_m4.ffrf.json");
+    if ffrf_model::ReducedBody::read(&path).ok().as_ref() != Some(&model) {
+        stale.push("random_m4");
+        if std::env::var_os(UPDATE).is_some() {
+            model.write(&path).unwrap();
+        }
+    }
+    assert!(
+        stale.is_empty(),
+        "stale: {stale:?}; run `{UPDATE}=1 cargo test -p ffrf --test generated_code` and read the difference"
+    );
+}
+
+#[test]
+fn compiled_code_agrees_with_the_naive_form_and_with_the_interpreter() {
+    let find = |wanted: &str| {
+        let (_, body, options) = all().into_iter().find(|(name, ..)| *name == wanted).unwrap();
+        (Kernels::formulate(&body, &options).unwrap(), body)
+    };
+    let (kernels, body) = find("rigid");
+    witness::check::<0, 6, _>(&rigid::RigidBody, &body, &kernels, true);
+    let (kernels, body) = find("general_m2");
+    witness::check::<2, 8, _>(&general_m2::GeneralBody, &body, &kernels, true);
+    let (kernels, body) = find("generic_m2");
+    witness::check::<2, 8, _>(&generic_m2::GenericBody, &body, &kernels, true);
+    let (kernels, body) = find("normalised_m3");
+    witness::check::<3, 9, _>(&normalised_m3::NormalisedBody, &body, &kernels, true);
+    let (kernels, body) = find("free_free_m3");
+    witness::check::<3, 9, _>(&free_free_m3::FreeFreeBody, &body, &kernels, true);
+    // A truncated energy is not that of the naive form.
+    let (kernels, body) = find("constant_m2");
+    witness::check::<2, 8, _>(&constant_m2::ConstantBody, &body, &kernels, false);
+}
+
+#[test]
+fn single_precision_code_agrees_with_double_precision() {
+    let (_, body, options) = all().into_iter().find(|(name, ..)| *name == "single_m3").unwrap();
+    let kernels = Kernels::formulate(&body, &options).unwrap();
+    witness::check_single::<3, 9, _>(&single_m3::SingleBody, &kernels);
+}
+
+#[test]
+fn constants_and_markers_of_a_body_are_those_of_its_model() {
+    use ffrf::{FlexibleBody, NamedMarkers};
+    use general_m2::GeneralBody;
+    let (_, body, _) = all().into_iter().find(|(name, ..)| *name == "general_m2").unwrap();
+    assert_eq!(GeneralBody::MODE_COUNT, 2);
+    assert_eq!(GeneralBody::MASS, body.inertia.mass);
+    assert_eq!(GeneralBody::FREQUENCIES_HZ, [None, Some(12.5)]);
+    assert_eq!(GeneralBody.largest_stable_step(), body.largest_stable_step());
+    assert_eq!(GeneralBody.marker_names(), ["tip", "root"]);
+    assert_eq!(GeneralBody::TIP.position.as_slice(), body.markers[0].position);
+    let root = GeneralBody.marker("root").unwrap();
+    for axis in 0..3 {
+        for mode in 0..2 {
+            assert_eq!(root.translation[axis][mode], body.markers[1].translation[mode][axis]);
+            assert_eq!(root.rotation[axis][mode], body.markers[1].rotation[mode][axis]);
+        }
+    }
+    assert_eq!(GeneralBody.marker("nowhere"), None);
+}
