@@ -80,7 +80,7 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
     let mut search = model::Search::new(study, &reference, tolerance);
     let mut left: Vec<(usize, Fidelity)> = Vec::new();
     for share in MODEL_SHARES {
-        if let Some(choice) = search.least(share * options.error)?
+        if let Some(choice) = search.least(share * options.error)
             && !left.contains(&choice)
         {
             left.push(choice);
@@ -91,17 +91,10 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
     }
     let mut candidates: Vec<Candidate> = Vec::new();
     for (count, fidelity) in &left {
-        let model = search.model(*count, fidelity)?;
+        let Some(model) = search.model(*count, fidelity) else { continue };
         for integrator in &options.integrators {
             let cheapest = candidates.iter().filter_map(Candidate::cost).fold(f64::INFINITY, f64::min);
-            candidates.push(steps::candidate(
-                study,
-                &reference,
-                &model,
-                *integrator,
-                options.error,
-                cheapest,
-            ));
+            candidates.push(steps::candidate(study, &reference, model, *integrator, options.error, cheapest));
         }
     }
     let best = candidates
@@ -112,10 +105,12 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
         return Err(TradeoffError::Budget { error: options.error, tried: describe(&candidates) });
     };
     let (count, fidelity) = (best.modes, best.fidelity.clone());
-    let model = search.model(count, &fidelity)?;
+    let Some(model) = search.model(count, &fidelity) else {
+        return Err(TradeoffError::Budget { error: options.error, tried: describe(&candidates) });
+    };
     let wanted =
         Configuration { modes: count, fidelity, scalar: ScalarType::F64, integrator: best.integrator, step };
-    let (scalar, rounding) = scalar(study, &reference, &model, &wanted, options);
+    let (scalar, rounding) = scalar(study, &reference, model, &wanted, options);
     let parts = [model.error, best.step_error, rounding, reference.own_error()];
     Ok(Plan {
         configuration: Configuration { scalar, ..wanted },

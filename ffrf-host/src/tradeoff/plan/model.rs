@@ -37,7 +37,8 @@ pub(super) struct Search<'a> {
     reference: &'a Reference,
     tolerance: f64,
     tried: Vec<Choice>,
-    known: BTreeMap<(usize, String), f64>,
+    /// None of models that cannot be assembled or run.
+    known: BTreeMap<(usize, String), Option<Model>>,
 }
 
 impl<'a> Search<'a> {
@@ -52,47 +53,52 @@ impl<'a> Search<'a> {
     /// The fewest modes, then the fewest terms, that lack no more than `error`; none if even the whole model cannot.
     ///
     /// By halving: more modes are taken to be no worse.
-    pub(super) fn least(&mut self, error: f64) -> Result<Option<(usize, Fidelity)>, TradeoffError> {
+    pub(super) fn least(&mut self, error: f64) -> Option<(usize, Fidelity)> {
         let (mut low, mut high) = (0, self.study.most_modes());
         while low < high {
             let middle = low.midpoint(high);
-            if self.error(middle, &Fidelity::Full)? <= error {
+            if self.error(middle, &Fidelity::Full) <= error {
                 high = middle;
             } else {
                 low = middle + 1;
             }
         }
-        if self.error(low, &Fidelity::Full)? > error {
-            return Ok(None);
+        if self.error(low, &Fidelity::Full) > error {
+            return None;
         }
         if low == 0 {
-            return Ok(Some((0, Fidelity::Full)));
+            return Some((0, Fidelity::Full));
         }
-        for level in LEVELS {
-            if self.error(low, &level)? <= error {
-                return Ok(Some((low, level)));
-            }
-        }
-        Ok(None)
+        LEVELS.into_iter().find(|level| self.error(low, level) <= error).map(|level| (low, level))
     }
 
     /// What a model lacks; infinite where it cannot be assembled or run.
-    fn error(&mut self, modes: usize, fidelity: &Fidelity) -> Result<f64, TradeoffError> {
-        let key = (modes, fidelity.to_string());
-        if let Some(error) = self.known.get(&key) {
-            return Ok(*error);
-        }
-        let error = self.model(modes, fidelity).map_or(f64::INFINITY, |model| model.error);
-        self.known.insert(key, error);
-        self.tried.push(Choice { modes, fidelity: fidelity.clone(), error });
-        Ok(error)
+    fn error(&mut self, modes: usize, fidelity: &Fidelity) -> f64 {
+        self.model(modes, fidelity).map_or(f64::INFINITY, |model| model.error)
     }
 
-    /// A model with its motion. Errors: it cannot be assembled or run.
-    pub(super) fn model(&self, modes: usize, fidelity: &Fidelity) -> Result<Model, TradeoffError> {
+    /// A model with its motion; none if it cannot be assembled or run.
+    pub(super) fn model(&mut self, modes: usize, fidelity: &Fidelity) -> Option<&Model> {
+        let key = (modes, fidelity.to_string());
+        if !self.known.contains_key(&key) {
+            let model = self.integrate(modes, fidelity).ok();
+            let error = model.as_ref().map_or(f64::INFINITY, |model| model.error);
+            self.tried.push(Choice { modes, fidelity: fidelity.clone(), error });
+            self.known.insert(key.clone(), model);
+        }
+        self.known.get(&key).and_then(Option::as_ref)
+    }
+
+    fn integrate(&self, modes: usize, fidelity: &Fidelity) -> Result<Model, TradeoffError> {
         let variant = self.study.variant(modes, fidelity)?;
-        let Reference { channels, times, .. } = self.reference;
-        let (history, _) = controlled(self.study, &variant, channels, times, self.tolerance)?;
+        let Reference { channels, times, history, .. } = self.reference;
+        // the whole model has been integrated
+        let is_whole = modes >= self.study.most_modes() && *fidelity == Fidelity::Full;
+        let history = if is_whole {
+            history.clone()
+        } else {
+            controlled(self.study, &variant, channels, times, self.tolerance)?.0
+        };
         let error = self.reference.errors(&history).into_iter().fold(0.0, f64::max);
         Ok(Model { modes, fidelity: fidelity.clone(), variant, error, history })
     }

@@ -131,9 +131,16 @@ pub(super) fn candidate(
             continue;
         };
         if error <= left {
-            // larger steps were too coarse, or there are none
-            found.step = Some(step);
-            found.step_error = error;
+            // the last step was too coarse, or there is no larger one
+            let before = found.pilots.iter().rev().nth(1).map(|pilot| pilot.step);
+            let shown = observed_order(&found.pilots).is_some_and(|p| (p / order - 1.0).abs() < ASYMPTOTIC);
+            let larger = step * (AIM * left / error).powf(1.0 / order);
+            let chosen = match before {
+                Some(before) if shown && larger > step => fits(larger.min(before)),
+                _ => step,
+            };
+            found.step_error = error * (chosen / step).powf(order);
+            found.step = Some(chosen);
             return found;
         }
         let wanted = step * (AIM * left / error).powf(1.0 / order);
