@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
-use ffrf_codegen::{Fidelity, ScalarType};
+use ffrf_codegen::ScalarType;
 use ffrf_host::scene::Integrator;
 use ffrf_host::tradeoff::{
     Finding, Pilot, Plan, PlanOptions, Reference, ReferenceOptions, Study, plan, run as run_one,
@@ -136,7 +136,6 @@ fn describe_models(text: &mut String, plan: &Plan) {
     }
     text.push_str("\nmodels: their error with exact steps\n");
     for choice in &plan.models {
-        let fidelity = if choice.modes == 0 { &Fidelity::Full } else { &choice.fidelity };
-        let _ = writeln!(text, "  {} modes, {fidelity}: {:.2e}", choice.modes, choice.error);
+        let _ = writeln!(text, "  {} modes, {}: {:.2e}", choice.modes, choice.fidelity, choice.error);
     }
 }
