@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          6 operations: 6 multiply-add
 //   quadratic_velocity   51 operations: 30 multiply-add, 18 multiply, 3 add
-//   forward_dynamics     193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide
-//   equations_of_motion  193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide
+//   forward_dynamics     196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide
+//   equations_of_motion  196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide
 //   kinetic_energy       76 operations: 48 multiply-add, 19 multiply, 9 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -189,7 +189,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide.
+    /// Cost: 196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -244,7 +244,7 @@ const _: () = {
         let reduced_moment_y = fma(-0.08598338632315888, t11, fma(-0.16046087573451495, modal_residual0, moment_y - t7));
         let reduced_moment_z = fma(0.09111695817864188, t11, fma(-0.03142194717232042, modal_residual0, moment_z - t8));
 
-        // Rigid-body accelerations (88 operations: 58 multiply-add, 24 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (91 operations: 58 multiply-add, 27 multiply, 3 add, 3 divide)
         let t15 = first_moment_z - 0.033584521165775975 - 0.07550464880583713 - 0.001421003685917668;
         let t16 = first_moment_y + 0.01344718162013649 + 0.03934744538491937 + 0.0006988473365497082;
         let t17 = fma(-0.061362351171116276, t15, t16);
@@ -286,30 +286,31 @@ const _: () = {
         let t53 = fma(-t51, t33, t52 * t39);
         let t54 = fma(-t19, t47, fma(-t18, t48, fma(t14, t49, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t40, t40, t42 * fma(-t24, t43, t44 * t39)) * fma(-t40, t53, t42 * fma(-t51, t43, t54 * t39));
-        let angular_acceleration_y = 1.0 / t42 * fma(-t40, angular_acceleration_z, t53);
-        let t55 = fma(-t32, angular_acceleration_y, fma(-t24, angular_acceleration_z, t51));
-        let angular_acceleration_x = 1.0 / t38 * t55;
-        let acceleration_z = fma(-t28, angular_acceleration_y, fma(-t36, angular_acceleration_x, t47));
-        let acceleration_z = fma(-t20, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t37, angular_acceleration_x, t48));
-        let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t21, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t30, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t49));
-        let acceleration_x = fma(0.018650334881663885, acceleration_z, fma(-t22, angular_acceleration_z, acceleration_x));
-        let acceleration_x = fma(0.03792272392606903, acceleration_y, acceleration_x);
+        let t55 = 1.0 / t42;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t40 * t55, t53 * t55);
+        let t56 = 1.0 / t38;
+        let angular_acceleration_x = fma(-(t32 * t56), angular_acceleration_y, fma(-angular_acceleration_z, t24 * t56, t51 * t56));
+        let acceleration_z = fma(-t28, angular_acceleration_y, fma(-t20, angular_acceleration_z, t47));
+        let acceleration_z = fma(-t36, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t29, angular_acceleration_y, fma(-t21, angular_acceleration_z, t48));
+        let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t37, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t30, angular_acceleration_y, fma(-t22, angular_acceleration_z, t49));
+        let acceleration_x = fma(-0.004291583400611086, angular_acceleration_x, acceleration_x);
+        let acceleration_x = fma(0.03792272392606903, acceleration_y, fma(0.018650334881663885, acceleration_z, acceleration_x));
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t56 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t11);
-        let t57 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t56));
-        let t58 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t57));
-        let t59 = fma(0.09111695817864188, angular_acceleration_z, t58);
-        let t60 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
-        let t61 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t60));
-        let t62 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t61));
-        let t63 = fma(-0.2981434747608867, t59, fma(-0.03142194717232042, angular_acceleration_z, t62));
+        let t57 = fma(0.09111695817864188, angular_acceleration_z, 0.5307607395480473 * t11);
+        let t58 = fma(-0.06396634808675346, angular_acceleration_x, fma(-0.08598338632315888, angular_acceleration_y, t57));
+        let t59 = fma(0.6264997836854884, acceleration_y, fma(0.3264854073504785, acceleration_z, t58));
+        let t60 = fma(0.21237084986104873, acceleration_x, t59);
+        let t61 = fma(-0.03142194717232042, angular_acceleration_z, modal_residual0 * 0.49373431853566435);
+        let t62 = fma(0.04948069928147164, angular_acceleration_x, fma(-0.16046087573451495, angular_acceleration_y, t61));
+        let t63 = fma(-0.33511714490543115, acceleration_y, fma(-0.13418029958864267, acceleration_z, t62));
+        let t64 = fma(-0.2981434747608867, t60, fma(-0.11850727427993349, acceleration_x, t63));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t63, t59,
+            angular_acceleration_y, angular_acceleration_z, t64, t60,
         ]
     }
 
@@ -317,23 +318,61 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 193 operations: 118 multiply-add, 46 multiply, 26 add, 3 divide.
+    /// Cost: 196 operations: 118 multiply-add, 49 multiply, 26 add, 3 divide.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         q: &[f64; 2],
         omega: &[f64; 3],
         q_dot: &[f64; 2],
         force: &[f64; 8],
-    ) -> ([[f64; 8]; 8], [f64; 8], [f64; 8]) {
+        mass_matrix: &mut [[f64; 8]; 8],
+        quadratic_velocity: &mut [f64; 8],
+        acceleration: &mut [f64; 8],
+    ) {
         let [q0, q1] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
 
         // Deformed first moment m r = m a + m b_μ q_μ (6 operations: 6 multiply-add)
         let first_moment_x = fma(-0.32856429449710967, q1, fma(0.24002235581153603, q0, 3.0046510942520674));
         let first_moment_y = fma(-0.978018945116414, q1, fma(0.6787398248907106, q0, -0.41984161500965506));
         let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
+
+        *mass_matrix = [
+            [
+                8.844703537197834, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, 0.24002235581153603,
+                -0.32856429449710967,
+            ],
+            [
+                0.0, 8.844703537197834, 0.0, -first_moment_z, 0.0, first_moment_x, 0.6787398248907106,
+                -0.978018945116414,
+            ],
+            [
+                0.0, 0.0, 8.844703537197834, first_moment_y, -first_moment_x, 0.0, 0.27176620006200825,
+                -0.5341019557067384,
+            ],
+            [
+                0.0, -first_moment_z, first_moment_y, 0.7433998942463756, 0.21032996108485344,
+                -0.5644033827438444, -0.10021725738697554, 0.0906391146862467,
+            ],
+            [
+                first_moment_z, 0.0, -first_moment_x, 0.21032996108485344, 3.441057059272419,
+                0.035025350693903806, 0.3249943739183774, 0.2588952279675248,
+            ],
+            [
+                -first_moment_y, first_moment_x, 0.0, -0.5644033827438444, 0.035025350693903806,
+                3.7721853033770283, 0.06364140792463607, -0.15269810726036132,
+            ],
+            [
+                0.24002235581153603, 0.6787398248907106, 0.27176620006200825, -0.10021725738697554,
+                0.3249943739183774, 0.06364140792463607, 2.025380781643531, 0.6038540639531231,
+            ],
+            [
+                -0.32856429449710967, -0.978018945116414, -0.5341019557067384, 0.0906391146862467,
+                0.2588952279675248, -0.15269810726036132, 0.6038540639531231, 2.0641232614429463,
+            ],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
         let t1 = fma(fma(-0.978018945116414, q_dot1, 0.6787398248907106 * q_dot0), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
@@ -359,6 +398,10 @@ const _: () = {
         let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
 
+        *quadratic_velocity = [t4, t7, t8, t9, t10, t11, 0.0, 0.0];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (14 operations: 4 multiply-add, 2 multiply, 8 add)
         let t12 = fma(0.41489841370334474, q_dot0, fma(1.2366949220363017, q1, 41.489841370334474 * q0));
         let modal_residual0 = modal_force0 - t12;
@@ -377,7 +420,7 @@ const _: () = {
         let reduced_moment_y = fma(-0.08598338632315888, t14, fma(-0.16046087573451495, modal_residual0, moment_y - t10));
         let reduced_moment_z = fma(0.09111695817864188, t14, fma(-0.03142194717232042, modal_residual0, moment_z - t11));
 
-        // Rigid-body accelerations (88 operations: 58 multiply-add, 24 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (91 operations: 58 multiply-add, 27 multiply, 3 add, 3 divide)
         let t18 = first_moment_z - 0.033584521165775975 - 0.07550464880583713 - 0.001421003685917668;
         let t19 = first_moment_y + 0.01344718162013649 + 0.03934744538491937 + 0.0006988473365497082;
         let t20 = fma(-0.061362351171116276, t18, t19);
@@ -419,68 +462,32 @@ const _: () = {
         let t56 = fma(-t54, t36, t55 * t42);
         let t57 = fma(-t22, t50, fma(-t21, t51, fma(t17, t52, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t43, t43, t45 * fma(-t27, t46, t47 * t42)) * fma(-t43, t56, t45 * fma(-t54, t46, t57 * t42));
-        let angular_acceleration_y = 1.0 / t45 * fma(-t43, angular_acceleration_z, t56);
-        let t58 = fma(-t35, angular_acceleration_y, fma(-t27, angular_acceleration_z, t54));
-        let angular_acceleration_x = 1.0 / t41 * t58;
-        let acceleration_z = fma(-t31, angular_acceleration_y, fma(-t39, angular_acceleration_x, t50));
-        let acceleration_z = fma(-t23, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t32, angular_acceleration_y, fma(-t40, angular_acceleration_x, t51));
-        let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t24, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t33, angular_acceleration_y, fma(-0.004291583400611086, angular_acceleration_x, t52));
-        let acceleration_x = fma(0.018650334881663885, acceleration_z, fma(-t25, angular_acceleration_z, acceleration_x));
-        let acceleration_x = fma(0.03792272392606903, acceleration_y, acceleration_x);
+        let t58 = 1.0 / t45;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t43 * t58, t56 * t58);
+        let t59 = 1.0 / t41;
+        let angular_acceleration_x = fma(-(t35 * t59), angular_acceleration_y, fma(-angular_acceleration_z, t27 * t59, t54 * t59));
+        let acceleration_z = fma(-t31, angular_acceleration_y, fma(-t23, angular_acceleration_z, t50));
+        let acceleration_z = fma(-t39, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t32, angular_acceleration_y, fma(-t24, angular_acceleration_z, t51));
+        let acceleration_y = fma(0.061362351171116276, acceleration_z, fma(-t40, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t33, angular_acceleration_y, fma(-t25, angular_acceleration_z, t52));
+        let acceleration_x = fma(-0.004291583400611086, angular_acceleration_x, acceleration_x);
+        let acceleration_x = fma(0.03792272392606903, acceleration_y, fma(0.018650334881663885, acceleration_z, acceleration_x));
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t59 = fma(0.21237084986104873, acceleration_x, 0.5307607395480473 * t14);
-        let t60 = fma(0.3264854073504785, acceleration_z, fma(0.6264997836854884, acceleration_y, t59));
-        let t61 = fma(-0.08598338632315888, angular_acceleration_y, fma(-0.06396634808675346, angular_acceleration_x, t60));
-        let t62 = fma(0.09111695817864188, angular_acceleration_z, t61);
-        let t63 = fma(-0.11850727427993349, acceleration_x, modal_residual0 * 0.49373431853566435);
-        let t64 = fma(-0.13418029958864267, acceleration_z, fma(-0.33511714490543115, acceleration_y, t63));
-        let t65 = fma(-0.16046087573451495, angular_acceleration_y, fma(0.04948069928147164, angular_acceleration_x, t64));
-        let t66 = fma(-0.2981434747608867, t62, fma(-0.03142194717232042, angular_acceleration_z, t65));
+        let t60 = fma(0.09111695817864188, angular_acceleration_z, 0.5307607395480473 * t14);
+        let t61 = fma(-0.06396634808675346, angular_acceleration_x, fma(-0.08598338632315888, angular_acceleration_y, t60));
+        let t62 = fma(0.6264997836854884, acceleration_y, fma(0.3264854073504785, acceleration_z, t61));
+        let t63 = fma(0.21237084986104873, acceleration_x, t62);
+        let t64 = fma(-0.03142194717232042, angular_acceleration_z, modal_residual0 * 0.49373431853566435);
+        let t65 = fma(0.04948069928147164, angular_acceleration_x, fma(-0.16046087573451495, angular_acceleration_y, t64));
+        let t66 = fma(-0.33511714490543115, acceleration_y, fma(-0.13418029958864267, acceleration_z, t65));
+        let t67 = fma(-0.2981434747608867, t63, fma(-0.11850727427993349, acceleration_x, t66));
 
-        (
-            [
-                [
-                    8.844703537197834, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, 0.24002235581153603,
-                    -0.32856429449710967,
-                ],
-                [
-                    0.0, 8.844703537197834, 0.0, -first_moment_z, 0.0, first_moment_x, 0.6787398248907106,
-                    -0.978018945116414,
-                ],
-                [
-                    0.0, 0.0, 8.844703537197834, first_moment_y, -first_moment_x, 0.0, 0.27176620006200825,
-                    -0.5341019557067384,
-                ],
-                [
-                    0.0, -first_moment_z, first_moment_y, 0.7433998942463756, 0.21032996108485344,
-                    -0.5644033827438444, -0.10021725738697554, 0.0906391146862467,
-                ],
-                [
-                    first_moment_z, 0.0, -first_moment_x, 0.21032996108485344, 3.441057059272419,
-                    0.035025350693903806, 0.3249943739183774, 0.2588952279675248,
-                ],
-                [
-                    -first_moment_y, first_moment_x, 0.0, -0.5644033827438444, 0.035025350693903806,
-                    3.7721853033770283, 0.06364140792463607, -0.15269810726036132,
-                ],
-                [
-                    0.24002235581153603, 0.6787398248907106, 0.27176620006200825, -0.10021725738697554,
-                    0.3249943739183774, 0.06364140792463607, 2.025380781643531, 0.6038540639531231,
-                ],
-                [
-                    -0.32856429449710967, -0.978018945116414, -0.5341019557067384, 0.0906391146862467,
-                    0.2588952279675248, -0.15269810726036132, 0.6038540639531231, 2.0641232614429463,
-                ],
-            ],
-            [t4, t7, t8, t9, t10, t11, 0.0, 0.0],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t66, t62,
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t67, t63,
+        ];
     }
 
     /// Kinetic energy.
@@ -973,17 +980,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+            force: &::ffrf::nalgebra::SVector<f64, 8>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f64, 8, 8>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

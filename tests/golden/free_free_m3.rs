@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          111 operations: 69 multiply-add, 15 multiply, 27 add
 //   quadratic_velocity   228 operations: 135 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide
-//   equations_of_motion  326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide
+//   forward_dynamics     329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide
+//   equations_of_motion  329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide
 //   kinetic_energy       158 operations: 94 multiply-add, 30 multiply, 34 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      3 operations: 3 multiply
@@ -345,7 +345,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide.
+    /// Cost: 329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -488,45 +488,48 @@ const _: () = {
         let t26 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
         let t27 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
         let t28 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
-        let t29 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
-        let t30 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
-        let t31 = fma(coupling_x2, modal_residual2, t30);
-        let reduced_moment_x = t19 - t31;
-        let t32 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
-        let reduced_moment_y = moment_y - (t4 + t6) - fma(coupling_y2, modal_residual2, t32);
-        let t33 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
-        let reduced_moment_z = moment_z - (t7 + t9) - fma(coupling_z2, modal_residual2, t33);
+        let t29 = inertia_xz - t28;
+        let t30 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
+        let t31 = inertia_xy - t30;
+        let t32 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let t33 = fma(coupling_x2, modal_residual2, t32);
+        let reduced_moment_x = t19 - t33;
+        let t34 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - (t4 + t6) - fma(coupling_y2, modal_residual2, t34);
+        let t35 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - (t7 + t9) - fma(coupling_z2, modal_residual2, t35);
 
-        // Rigid-body accelerations (32 operations: 10 multiply-add, 16 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (35 operations: 10 multiply-add, 19 multiply, 3 add, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t34 = t28 - inertia_xz;
-        let t35 = (inertia_xy - t29) * 0.13515587760150766;
-        let t36 = t24 * 0.13515587760150766;
-        let t37 = fma(t34, t35, (inertia_yz - t27) * t36);
-        let t38 = t29 - inertia_xy;
-        let t39 = fma(t38, t35, (inertia_yy - t25) * t36);
-        let t40 = (inertia_xz - t28) * 0.13515587760150766;
-        let t41 = fma(-t37, t37, t39 * fma(t34, t40, (inertia_zz - t26) * t36));
-        let t42 = t31 - t19;
-        let t43 = fma(t42, t35, reduced_moment_y * t36);
-        let angular_acceleration_z = 1.0 / t41 * fma(-t37, t43, t39 * fma(t42, t40, reduced_moment_z * t36));
-        let angular_acceleration_y = 1.0 / t39 * fma(-t37, angular_acceleration_z, t43);
-        let t44 = fma(t38, angular_acceleration_y, fma(t34, angular_acceleration_z, reduced_moment_x));
-        let angular_acceleration_x = 1.0 / t24 * t44;
+        let t36 = t28 - inertia_xz;
+        let t37 = t31 * 0.13515587760150766;
+        let t38 = t24 * 0.13515587760150766;
+        let t39 = fma(t36, t37, (inertia_yz - t27) * t38);
+        let t40 = fma(t30 - inertia_xy, t37, (inertia_yy - t25) * t38);
+        let t41 = t29 * 0.13515587760150766;
+        let t42 = fma(-t39, t39, t40 * fma(t36, t41, (inertia_zz - t26) * t38));
+        let t43 = t33 - t19;
+        let t44 = fma(t43, t37, reduced_moment_y * t38);
+        let angular_acceleration_z = 1.0 / t42 * fma(-t39, t44, t40 * fma(t43, t41, reduced_moment_z * t38));
+        let t45 = 1.0 / t40;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t39 * t45, t44 * t45);
+        let t46 = 1.0 / t24;
+        let angular_acceleration_x = fma(-angular_acceleration_z, t29 * t46, reduced_moment_x * t46);
+        let angular_acceleration_x = fma(-(t31 * t46), angular_acceleration_y, angular_acceleration_x);
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t45 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t46 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t47 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t47 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t48 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t49 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_z2, angular_acceleration_z, modal_residual2));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
             angular_acceleration_y, angular_acceleration_z,
-            fma(-coupling_z0, angular_acceleration_z, t45),
-            fma(-coupling_z1, angular_acceleration_z, t46),
-            fma(-coupling_z2, angular_acceleration_z, t47),
+            fma(-coupling_x0, angular_acceleration_x, t47),
+            fma(-coupling_x1, angular_acceleration_x, t48),
+            fma(-coupling_x2, angular_acceleration_x, t49),
         ]
     }
 
@@ -534,18 +537,18 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 326 operations: 181 multiply-add, 82 multiply, 60 add, 3 divide.
+    /// Cost: 329 operations: 181 multiply-add, 85 multiply, 60 add, 3 divide.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         q: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
         force: &[f64; 9],
-    ) -> ([[f64; 9]; 9], [f64; 9], [f64; 9]) {
+        mass_matrix: &mut [[f64; 9]; 9],
+        quadratic_velocity: &mut [f64; 9],
+        acceleration: &mut [f64; 9],
+    ) {
         let [q0, q1, q2] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1, q_dot2] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1, modal_force2] = *force;
 
         // Deformed moments T_μ + q_ν T_νμ (66 operations: 54 multiply-add, 9 multiply, 3 add)
         let moment_trace0 = 0.12006587958724288 + q0;
@@ -611,6 +614,21 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, 0.293723964206046);
         let inertia_xy = fma(change_xy, -0.5, -0.5502301101801855);
 
+        *mass_matrix = [
+            [8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [0.0, 8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [0.0, 0.0, 8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0, inertia_xx, inertia_xy, inertia_xz, coupling_x0, coupling_x1, coupling_x2],
+            [0.0, 0.0, 0.0, inertia_xy, inertia_yy, inertia_yz, coupling_y0, coupling_y1, coupling_y2],
+            [0.0, 0.0, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0, coupling_z1, coupling_z2],
+            [0.0, 0.0, 0.0, coupling_x0, coupling_y0, coupling_z0, 1.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0, coupling_x1, coupling_y1, coupling_z1, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, coupling_x2, coupling_y2, coupling_z2, 0.0, 0.0, 1.0],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1, q_dot2] = *q_dot;
+
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (63 operations: 33 multiply-add, 21 multiply, 9 add)
         let rate_trace = fma(q_dot2, moment_trace2, fma(q_dot1, moment_trace1, q_dot0 * moment_trace0));
         let rate_yy = fma(q_dot2, moment_yy2, fma(q_dot1, moment_yy1, q_dot0 * moment_yy0));
@@ -669,6 +687,12 @@ const _: () = {
         let modal_quadratic2 = fma(moment_yz2, t13, fma(moment_xz2, t14, fma(moment_xy2, t15, modal_quadratic2)));
         let modal_quadratic2 = fma(t10, whirl_z2, fma(t6, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
 
+        *quadratic_velocity = [
+            0.0, 0.0, 0.0, t4, t8, t12, modal_quadratic0, modal_quadratic1, modal_quadratic2,
+        ];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1, modal_force2] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (21 operations: 9 multiply-add, 3 multiply, 9 add)
         let t22 = moment_x - t4;
         let t23 = fma(0.7257030705721239, q2, fma(-0.17776161543946456, q1, 41.06565704379767 * q0));
@@ -685,60 +709,49 @@ const _: () = {
         let t29 = fma(coupling_z2, coupling_z2, fma(coupling_z1, coupling_z1, coupling_z0 * coupling_z0));
         let t30 = fma(coupling_y2, coupling_z2, fma(coupling_y1, coupling_z1, coupling_y0 * coupling_z0));
         let t31 = fma(coupling_x2, coupling_z2, fma(coupling_x1, coupling_z1, coupling_x0 * coupling_z0));
-        let t32 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
-        let t33 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
-        let t34 = fma(coupling_x2, modal_residual2, t33);
-        let reduced_moment_x = t22 - t34;
-        let t35 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
-        let reduced_moment_y = moment_y - t8 - fma(coupling_y2, modal_residual2, t35);
-        let t36 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
-        let reduced_moment_z = moment_z - t12 - fma(coupling_z2, modal_residual2, t36);
+        let t32 = inertia_xz - t31;
+        let t33 = fma(coupling_x2, coupling_y2, fma(coupling_x1, coupling_y1, coupling_x0 * coupling_y0));
+        let t34 = inertia_xy - t33;
+        let t35 = fma(coupling_x1, modal_residual1, coupling_x0 * modal_residual0);
+        let t36 = fma(coupling_x2, modal_residual2, t35);
+        let reduced_moment_x = t22 - t36;
+        let t37 = fma(coupling_y1, modal_residual1, coupling_y0 * modal_residual0);
+        let reduced_moment_y = moment_y - t8 - fma(coupling_y2, modal_residual2, t37);
+        let t38 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
+        let reduced_moment_z = moment_z - t12 - fma(coupling_z2, modal_residual2, t38);
 
-        // Rigid-body accelerations (32 operations: 10 multiply-add, 16 multiply, 3 add, 3 divide)
+        // Rigid-body accelerations (35 operations: 10 multiply-add, 19 multiply, 3 add, 3 divide)
         let acceleration_x = force_x * 0.11477845728568924;
         let acceleration_y = force_y * 0.11477845728568924;
         let acceleration_z = force_z * 0.11477845728568924;
-        let t37 = t31 - inertia_xz;
-        let t38 = (inertia_xy - t32) * 0.13515587760150766;
-        let t39 = t27 * 0.13515587760150766;
-        let t40 = fma(t37, t38, (inertia_yz - t30) * t39);
-        let t41 = t32 - inertia_xy;
-        let t42 = fma(t41, t38, (inertia_yy - t28) * t39);
-        let t43 = (inertia_xz - t31) * 0.13515587760150766;
-        let t44 = fma(-t40, t40, t42 * fma(t37, t43, (inertia_zz - t29) * t39));
-        let t45 = t34 - t22;
-        let t46 = fma(t45, t38, reduced_moment_y * t39);
-        let angular_acceleration_z = 1.0 / t44 * fma(-t40, t46, t42 * fma(t45, t43, reduced_moment_z * t39));
-        let angular_acceleration_y = 1.0 / t42 * fma(-t40, angular_acceleration_z, t46);
-        let t47 = fma(t41, angular_acceleration_y, fma(t37, angular_acceleration_z, reduced_moment_x));
-        let angular_acceleration_x = 1.0 / t27 * t47;
+        let t39 = t31 - inertia_xz;
+        let t40 = t34 * 0.13515587760150766;
+        let t41 = t27 * 0.13515587760150766;
+        let t42 = fma(t39, t40, (inertia_yz - t30) * t41);
+        let t43 = fma(t33 - inertia_xy, t40, (inertia_yy - t28) * t41);
+        let t44 = t32 * 0.13515587760150766;
+        let t45 = fma(-t42, t42, t43 * fma(t39, t44, (inertia_zz - t29) * t41));
+        let t46 = t36 - t22;
+        let t47 = fma(t46, t40, reduced_moment_y * t41);
+        let angular_acceleration_z = 1.0 / t45 * fma(-t42, t47, t43 * fma(t46, t44, reduced_moment_z * t41));
+        let t48 = 1.0 / t43;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t42 * t48, t47 * t48);
+        let t49 = 1.0 / t27;
+        let angular_acceleration_x = fma(-angular_acceleration_z, t32 * t49, reduced_moment_x * t49);
+        let angular_acceleration_x = fma(-(t34 * t49), angular_acceleration_y, angular_acceleration_x);
 
         // Modal accelerations (9 operations: 9 multiply-add)
-        let t48 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, modal_residual0));
-        let t49 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, modal_residual1));
-        let t50 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_x2, angular_acceleration_x, modal_residual2));
+        let t50 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t51 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t52 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_z2, angular_acceleration_z, modal_residual2));
 
-        (
-            [
-                [8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-                [0.0, 8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-                [0.0, 0.0, 8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-                [0.0, 0.0, 0.0, inertia_xx, inertia_xy, inertia_xz, coupling_x0, coupling_x1, coupling_x2],
-                [0.0, 0.0, 0.0, inertia_xy, inertia_yy, inertia_yz, coupling_y0, coupling_y1, coupling_y2],
-                [0.0, 0.0, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0, coupling_z1, coupling_z2],
-                [0.0, 0.0, 0.0, coupling_x0, coupling_y0, coupling_z0, 1.0, 0.0, 0.0],
-                [0.0, 0.0, 0.0, coupling_x1, coupling_y1, coupling_z1, 0.0, 1.0, 0.0],
-                [0.0, 0.0, 0.0, coupling_x2, coupling_y2, coupling_z2, 0.0, 0.0, 1.0],
-            ],
-            [0.0, 0.0, 0.0, t4, t8, t12, modal_quadratic0, modal_quadratic1, modal_quadratic2],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z,
-                fma(-coupling_z0, angular_acceleration_z, t48),
-                fma(-coupling_z1, angular_acceleration_z, t49),
-                fma(-coupling_z2, angular_acceleration_z, t50),
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z,
+            fma(-coupling_x0, angular_acceleration_x, t50),
+            fma(-coupling_x1, angular_acceleration_x, t51),
+            fma(-coupling_x2, angular_acceleration_x, t52),
+        ];
     }
 
     /// Kinetic energy.
@@ -1407,17 +1420,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
             force: &::ffrf::nalgebra::SVector<f64, 9>,
         ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::Vector3<f64>,
+            force: &::ffrf::nalgebra::SVector<f64, 9>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f64, 9, 9>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f64, 9>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f64, 9>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

@@ -8,8 +8,8 @@
  * Cost of one call:
  *   mass_matrix          69 operations: 45 multiply-add, 6 multiply, 18 add
  *   quadratic_velocity   177 operations: 97 multiply-add, 50 multiply, 30 add
- *   forward_dynamics     350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
- *   equations_of_motion  350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
+ *   forward_dynamics     353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
+ *   equations_of_motion  353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
  *   kinetic_energy       139 operations: 87 multiply-add, 25 multiply, 27 add
  *   elastic_energy       7 operations: 3 multiply-add, 4 multiply
  *   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -436,7 +436,7 @@ void general_body_forward_dynamics(
     const double reduced_moment_y = (-t32 * t27 + (t46 * t33 + (moment_y - (t9 + t11))));
     const double reduced_moment_z = (-t35 * t27 + (t46 * t36 + (moment_z - (t12 + t14))));
 
-    /* Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide) */
+    /* Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide) */
     const double t47 = (t37 * 0.0004091582421192553 + t40);
     const double t48 = (0.00467217817937168 * t47 + (0.017484523064286796 * t37 + t43));
     const double t49 = (-0.0004091582421192553 * t39 + t42);
@@ -477,26 +477,26 @@ void general_body_forward_dynamics(
     const double t84 = (-t82 * t63 + t83);
     const double t85 = (t50 * t79 + (-t49 * t80 + (t39 * t81 + reduced_moment_z))) * t70;
     const double angular_acceleration_z = 1.0 / t76 * (-t71 * t84 + t73 * (-t82 * t74 + t85));
-    const double angular_acceleration_y = 1.0 / t73 * (-t71 * angular_acceleration_z + t84);
-    const double t86 = (-t62 * angular_acceleration_y + (-t55 * angular_acceleration_z + t82));
-    const double angular_acceleration_x = 1.0 / t69 * t86;
-    double acceleration_z = (-t58 * angular_acceleration_y + (-t65 * angular_acceleration_x + t79));
-    acceleration_z = (-t51 * angular_acceleration_z + acceleration_z);
-    double acceleration_y = (-t59 * angular_acceleration_y + (-t66 * angular_acceleration_x + t80));
-    acceleration_y = (-0.00467217817937168 * acceleration_z + (-t52 * angular_acceleration_z + acceleration_y));
-    double acceleration_x = (-t60 * angular_acceleration_y + (-t67 * angular_acceleration_x + t81));
-    acceleration_x = (-0.017484523064286796 * acceleration_z + (-t53 * angular_acceleration_z + acceleration_x));
+    const double t86 = 1.0 / t73;
+    const double angular_acceleration_y = (-angular_acceleration_z * (t71 * t86) + t84 * t86);
+    const double t87 = 1.0 / t69;
+    const double angular_acceleration_x = (-(t62 * t87) * angular_acceleration_y + (-angular_acceleration_z * (t55 * t87) + t82 * t87));
+    double acceleration_z = (-t58 * angular_acceleration_y + (-t51 * angular_acceleration_z + t79));
+    acceleration_z = (-t65 * angular_acceleration_x + acceleration_z);
+    double acceleration_y = (-t59 * angular_acceleration_y + (-t52 * angular_acceleration_z + t80));
+    acceleration_y = (-0.00467217817937168 * acceleration_z + (-t66 * angular_acceleration_x + acceleration_y));
+    double acceleration_x = (-t60 * angular_acceleration_y + (-t53 * angular_acceleration_z + t81));
+    acceleration_x = (-0.017484523064286796 * acceleration_z + (-t67 * angular_acceleration_x + acceleration_x));
     acceleration_x = (0.0004091582421192553 * acceleration_y + acceleration_x);
 
     /* Modal accelerations (13 operations: 13 multiply-add) */
-    const double t87 = (0.20489076472014167 * acceleration_x + 0.6109679684298599 * t27);
-    const double t88 = (-0.2973147838811091 * acceleration_z + (0.09340198133197233 * acceleration_y + t87));
-    const double t89 = (-t32 * angular_acceleration_y + (-t29 * angular_acceleration_x + t88));
-    const double t90 = (-t35 * angular_acceleration_z + t89);
-    const double t91 = (0.10947427309831884 * acceleration_x + modal_residual0 * 0.6441576139992576);
-    const double t92 = (-0.060777630855081075 * acceleration_z + (-0.1691550279041342 * acceleration_y + t91));
-    const double t93 = (-t33 * angular_acceleration_y + (-t30 * angular_acceleration_x + t92));
-    const double t94 = (0.2807808078840186 * t90 + (-t36 * angular_acceleration_z + t93));
+    const double t88 = (-t32 * angular_acceleration_y + (-t35 * angular_acceleration_z + 0.6109679684298599 * t27));
+    const double t89 = (-0.2973147838811091 * acceleration_z + (-t29 * angular_acceleration_x + t88));
+    const double t90 = (0.20489076472014167 * acceleration_x + (0.09340198133197233 * acceleration_y + t89));
+    const double t91 = (-t36 * angular_acceleration_z + modal_residual0 * 0.6441576139992576);
+    const double t92 = (-t30 * angular_acceleration_x + (-t33 * angular_acceleration_y + t91));
+    const double t93 = (-0.1691550279041342 * acceleration_y + (-0.060777630855081075 * acceleration_z + t92));
+    const double t94 = (0.2807808078840186 * t90 + (0.10947427309831884 * acceleration_x + t93));
 
     acceleration[0] = acceleration_x;
     acceleration[1] = acceleration_y;
@@ -669,7 +669,7 @@ void general_body_equations_of_motion(
     const double reduced_moment_y = (-t38 * t33 + (t52 * t39 + (moment_y - t16)));
     const double reduced_moment_z = (-t41 * t33 + (t52 * t42 + (moment_z - t20)));
 
-    /* Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide) */
+    /* Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide) */
     const double t53 = (t43 * 0.0004091582421192553 + t46);
     const double t54 = (0.00467217817937168 * t53 + (0.017484523064286796 * t43 + t49));
     const double t55 = (-0.0004091582421192553 * t45 + t48);
@@ -710,26 +710,26 @@ void general_body_equations_of_motion(
     const double t90 = (-t88 * t69 + t89);
     const double t91 = (t56 * t85 + (-t55 * t86 + (t45 * t87 + reduced_moment_z))) * t76;
     const double angular_acceleration_z = 1.0 / t82 * (-t77 * t90 + t79 * (-t88 * t80 + t91));
-    const double angular_acceleration_y = 1.0 / t79 * (-t77 * angular_acceleration_z + t90);
-    const double t92 = (-t68 * angular_acceleration_y + (-t61 * angular_acceleration_z + t88));
-    const double angular_acceleration_x = 1.0 / t75 * t92;
-    double acceleration_z = (-t64 * angular_acceleration_y + (-t71 * angular_acceleration_x + t85));
-    acceleration_z = (-t57 * angular_acceleration_z + acceleration_z);
-    double acceleration_y = (-t65 * angular_acceleration_y + (-t72 * angular_acceleration_x + t86));
-    acceleration_y = (-0.00467217817937168 * acceleration_z + (-t58 * angular_acceleration_z + acceleration_y));
-    double acceleration_x = (-t66 * angular_acceleration_y + (-t73 * angular_acceleration_x + t87));
-    acceleration_x = (-0.017484523064286796 * acceleration_z + (-t59 * angular_acceleration_z + acceleration_x));
+    const double t92 = 1.0 / t79;
+    const double angular_acceleration_y = (-angular_acceleration_z * (t77 * t92) + t90 * t92);
+    const double t93 = 1.0 / t75;
+    const double angular_acceleration_x = (-(t68 * t93) * angular_acceleration_y + (-angular_acceleration_z * (t61 * t93) + t88 * t93));
+    double acceleration_z = (-t64 * angular_acceleration_y + (-t57 * angular_acceleration_z + t85));
+    acceleration_z = (-t71 * angular_acceleration_x + acceleration_z);
+    double acceleration_y = (-t65 * angular_acceleration_y + (-t58 * angular_acceleration_z + t86));
+    acceleration_y = (-0.00467217817937168 * acceleration_z + (-t72 * angular_acceleration_x + acceleration_y));
+    double acceleration_x = (-t66 * angular_acceleration_y + (-t59 * angular_acceleration_z + t87));
+    acceleration_x = (-0.017484523064286796 * acceleration_z + (-t73 * angular_acceleration_x + acceleration_x));
     acceleration_x = (0.0004091582421192553 * acceleration_y + acceleration_x);
 
     /* Modal accelerations (13 operations: 13 multiply-add) */
-    const double t93 = (0.20489076472014167 * acceleration_x + 0.6109679684298599 * t33);
-    const double t94 = (-0.2973147838811091 * acceleration_z + (0.09340198133197233 * acceleration_y + t93));
-    const double t95 = (-t38 * angular_acceleration_y + (-t35 * angular_acceleration_x + t94));
-    const double t96 = (-t41 * angular_acceleration_z + t95);
-    const double t97 = (0.10947427309831884 * acceleration_x + modal_residual0 * 0.6441576139992576);
-    const double t98 = (-0.060777630855081075 * acceleration_z + (-0.1691550279041342 * acceleration_y + t97));
-    const double t99 = (-t39 * angular_acceleration_y + (-t36 * angular_acceleration_x + t98));
-    const double t100 = (0.2807808078840186 * t96 + (-t42 * angular_acceleration_z + t99));
+    const double t94 = (-t38 * angular_acceleration_y + (-t41 * angular_acceleration_z + 0.6109679684298599 * t33));
+    const double t95 = (-0.2973147838811091 * acceleration_z + (-t35 * angular_acceleration_x + t94));
+    const double t96 = (0.20489076472014167 * acceleration_x + (0.09340198133197233 * acceleration_y + t95));
+    const double t97 = (-t42 * angular_acceleration_z + modal_residual0 * 0.6441576139992576);
+    const double t98 = (-t36 * angular_acceleration_x + (-t39 * angular_acceleration_y + t97));
+    const double t99 = (-0.1691550279041342 * acceleration_y + (-0.060777630855081075 * acceleration_z + t98));
+    const double t100 = (0.2807808078840186 * t96 + (0.10947427309831884 * acceleration_x + t99));
 
     mass_matrix[0] = 6.38059239023797;
     mass_matrix[1] = 0.0;

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          69 operations: 45 multiply-add, 6 multiply, 18 add
 //   quadratic_velocity   177 operations: 97 multiply-add, 50 multiply, 30 add
-//   forward_dynamics     350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
-//   equations_of_motion  350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide
+//   forward_dynamics     353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
+//   equations_of_motion  353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide
 //   kinetic_energy       139 operations: 87 multiply-add, 25 multiply, 27 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -294,7 +294,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide.
+    /// Cost: 353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -436,7 +436,7 @@ const _: () = {
         let reduced_moment_y = fma(-t33, t28, fma(t47, t34, moment_y - (t10 + t12)));
         let reduced_moment_z = fma(-t36, t28, fma(t47, t37, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
         let t48 = fma(t38, 0.0004091582421192553, t41);
         let t49 = fma(0.00467217817937168, t48, fma(0.017484523064286796, t38, t44));
         let t50 = fma(-0.0004091582421192553, t40, t43);
@@ -477,26 +477,26 @@ const _: () = {
         let t85 = fma(-t83, t64, t84 * t71);
         let t86 = fma(t51, t80, fma(-t50, t81, fma(t40, t82, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t72, t72, t77) * fma(-t72, t85, t74 * fma(-t83, t75, t86 * t71));
-        let angular_acceleration_y = 1.0 / t74 * fma(-t72, angular_acceleration_z, t85);
-        let t87 = fma(-t63, angular_acceleration_y, fma(-t56, angular_acceleration_z, t83));
-        let angular_acceleration_x = 1.0 / t70 * t87;
-        let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t66, angular_acceleration_x, t80));
-        let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t60, angular_acceleration_y, fma(-t67, angular_acceleration_x, t81));
-        let acceleration_y = fma(-0.00467217817937168, acceleration_z, fma(-t53, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t61, angular_acceleration_y, fma(-t68, angular_acceleration_x, t82));
-        let acceleration_x = fma(-0.017484523064286796, acceleration_z, fma(-t54, angular_acceleration_z, acceleration_x));
+        let t87 = 1.0 / t74;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t72 * t87, t85 * t87);
+        let t88 = 1.0 / t70;
+        let angular_acceleration_x = fma(-(t63 * t88), angular_acceleration_y, fma(-angular_acceleration_z, t56 * t88, t83 * t88));
+        let acceleration_z = fma(-t59, angular_acceleration_y, fma(-t52, angular_acceleration_z, t80));
+        let acceleration_z = fma(-t66, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t60, angular_acceleration_y, fma(-t53, angular_acceleration_z, t81));
+        let acceleration_y = fma(-0.00467217817937168, acceleration_z, fma(-t67, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t61, angular_acceleration_y, fma(-t54, angular_acceleration_z, t82));
+        let acceleration_x = fma(-0.017484523064286796, acceleration_z, fma(-t68, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(0.0004091582421192553, acceleration_y, acceleration_x);
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t88 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t28);
-        let t89 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t88));
-        let t90 = fma(-t33, angular_acceleration_y, fma(-t30, angular_acceleration_x, t89));
-        let t91 = fma(-t36, angular_acceleration_z, t90);
-        let t92 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
-        let t93 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t92));
-        let t94 = fma(-t34, angular_acceleration_y, fma(-t31, angular_acceleration_x, t93));
-        let t95 = fma(0.2807808078840186, t91, fma(-t37, angular_acceleration_z, t94));
+        let t89 = fma(-t33, angular_acceleration_y, fma(-t36, angular_acceleration_z, 0.6109679684298599 * t28));
+        let t90 = fma(-0.2973147838811091, acceleration_z, fma(-t30, angular_acceleration_x, t89));
+        let t91 = fma(0.20489076472014167, acceleration_x, fma(0.09340198133197233, acceleration_y, t90));
+        let t92 = fma(-t37, angular_acceleration_z, modal_residual0 * 0.6441576139992576);
+        let t93 = fma(-t31, angular_acceleration_x, fma(-t34, angular_acceleration_y, t92));
+        let t94 = fma(-0.1691550279041342, acceleration_y, fma(-0.060777630855081075, acceleration_z, t93));
+        let t95 = fma(0.2807808078840186, t91, fma(0.10947427309831884, acceleration_x, t94));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
@@ -508,18 +508,18 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 350 operations: 218 multiply-add, 88 multiply, 41 add, 3 divide.
+    /// Cost: 353 operations: 218 multiply-add, 91 multiply, 41 add, 3 divide.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         q: &[f64; 2],
         omega: &[f64; 3],
         q_dot: &[f64; 2],
         force: &[f64; 8],
-    ) -> ([[f64; 8]; 8], [f64; 8], [f64; 8]) {
+        mass_matrix: &mut [[f64; 8]; 8],
+        quadratic_velocity: &mut [f64; 8],
+        acceleration: &mut [f64; 8],
+    ) {
         let [q0, q1] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
 
         // Deformed moments T_μ + q_ν T_νμ (30 operations: 30 multiply-add)
         let moment_trace0 = fma(-0.4358883630060487, q1, fma(1.552415089517443, q0, 0.555142690765366));
@@ -559,6 +559,44 @@ const _: () = {
         let inertia_yz = fma(change_yz, -0.5, 0.6009582363200621);
         let inertia_xz = fma(change_xz, -0.5, -0.12190363778058351);
         let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
+
+        *mass_matrix = [
+            [
+                6.38059239023797, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.16994951347178364,
+                -0.2876357863381134,
+            ],
+            [
+                0.0, 6.38059239023797, 0.0, -first_moment_z, 0.0, first_moment_x, 0.26259881778612204,
+                -0.2266081225633984,
+            ],
+            [
+                0.0, 0.0, 6.38059239023797, first_moment_y, -first_moment_x, 0.0, 0.09435211124454879,
+                0.4601368236989972,
+            ],
+            [
+                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                coupling_x1,
+            ],
+            [
+                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                coupling_y1,
+            ],
+            [
+                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                coupling_z1,
+            ],
+            [
+                -0.16994951347178364, 0.26259881778612204, 0.09435211124454879, coupling_x0, coupling_y0,
+                coupling_z0, 1.552415089517443, -0.4358883630060487,
+            ],
+            [
+                -0.2876357863381134, -0.2266081225633984, 0.4601368236989972, coupling_x1, coupling_y1,
+                coupling_z1, -0.4358883630060487, 1.7591361040228608,
+            ],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
         let t1 = fma(-0.2266081225633984, q_dot1, 0.26259881778612204 * q_dot0);
@@ -623,6 +661,10 @@ const _: () = {
         let modal_quadratic1 = fma(moment_yz1, t22, fma(moment_xz1, t23, fma(moment_xy1, t24, modal_quadratic1)));
         let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
 
+        *quadratic_velocity = [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t31 = modal_force0 - modal_quadratic0;
         let t32 = fma(0.4000823530876572, q_dot0, fma(0.02791682285998014, q1, 40.00823530876572 * q0));
@@ -658,7 +700,7 @@ const _: () = {
         let reduced_moment_y = fma(-t39, t34, fma(t53, t40, moment_y - t17));
         let reduced_moment_z = fma(-t42, t34, fma(t53, t43, moment_z - t21));
 
-        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
         let t54 = fma(t44, 0.0004091582421192553, t47);
         let t55 = fma(0.00467217817937168, t54, fma(0.017484523064286796, t44, t50));
         let t56 = fma(-0.0004091582421192553, t46, t49);
@@ -699,68 +741,31 @@ const _: () = {
         let t91 = fma(-t89, t70, t90 * t77);
         let t92 = fma(t57, t86, fma(-t56, t87, fma(t46, t88, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t78, t78, t83) * fma(-t78, t91, t80 * fma(-t89, t81, t92 * t77));
-        let angular_acceleration_y = 1.0 / t80 * fma(-t78, angular_acceleration_z, t91);
-        let t93 = fma(-t69, angular_acceleration_y, fma(-t62, angular_acceleration_z, t89));
-        let angular_acceleration_x = 1.0 / t76 * t93;
-        let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t72, angular_acceleration_x, t86));
-        let acceleration_z = fma(-t58, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t87));
-        let acceleration_y = fma(-0.00467217817937168, acceleration_z, fma(-t59, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t88));
-        let acceleration_x = fma(-0.017484523064286796, acceleration_z, fma(-t60, angular_acceleration_z, acceleration_x));
+        let t93 = 1.0 / t80;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t78 * t93, t91 * t93);
+        let t94 = 1.0 / t76;
+        let angular_acceleration_x = fma(-(t69 * t94), angular_acceleration_y, fma(-angular_acceleration_z, t62 * t94, t89 * t94));
+        let acceleration_z = fma(-t65, angular_acceleration_y, fma(-t58, angular_acceleration_z, t86));
+        let acceleration_z = fma(-t72, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t66, angular_acceleration_y, fma(-t59, angular_acceleration_z, t87));
+        let acceleration_y = fma(-0.00467217817937168, acceleration_z, fma(-t73, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t67, angular_acceleration_y, fma(-t60, angular_acceleration_z, t88));
+        let acceleration_x = fma(-0.017484523064286796, acceleration_z, fma(-t74, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(0.0004091582421192553, acceleration_y, acceleration_x);
 
         // Modal accelerations (13 operations: 13 multiply-add)
-        let t94 = fma(0.20489076472014167, acceleration_x, 0.6109679684298599 * t34);
-        let t95 = fma(-0.2973147838811091, acceleration_z, fma(0.09340198133197233, acceleration_y, t94));
-        let t96 = fma(-t39, angular_acceleration_y, fma(-t36, angular_acceleration_x, t95));
-        let t97 = fma(-t42, angular_acceleration_z, t96);
-        let t98 = fma(0.10947427309831884, acceleration_x, modal_residual0 * 0.6441576139992576);
-        let t99 = fma(-0.060777630855081075, acceleration_z, fma(-0.1691550279041342, acceleration_y, t98));
-        let t100 = fma(-t40, angular_acceleration_y, fma(-t37, angular_acceleration_x, t99));
-        let t101 = fma(0.2807808078840186, t97, fma(-t43, angular_acceleration_z, t100));
+        let t95 = fma(-t39, angular_acceleration_y, fma(-t42, angular_acceleration_z, 0.6109679684298599 * t34));
+        let t96 = fma(-0.2973147838811091, acceleration_z, fma(-t36, angular_acceleration_x, t95));
+        let t97 = fma(0.20489076472014167, acceleration_x, fma(0.09340198133197233, acceleration_y, t96));
+        let t98 = fma(-t43, angular_acceleration_z, modal_residual0 * 0.6441576139992576);
+        let t99 = fma(-t37, angular_acceleration_x, fma(-t40, angular_acceleration_y, t98));
+        let t100 = fma(-0.1691550279041342, acceleration_y, fma(-0.060777630855081075, acceleration_z, t99));
+        let t101 = fma(0.2807808078840186, t97, fma(0.10947427309831884, acceleration_x, t100));
 
-        (
-            [
-                [
-                    6.38059239023797, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.16994951347178364,
-                    -0.2876357863381134,
-                ],
-                [
-                    0.0, 6.38059239023797, 0.0, -first_moment_z, 0.0, first_moment_x, 0.26259881778612204,
-                    -0.2266081225633984,
-                ],
-                [
-                    0.0, 0.0, 6.38059239023797, first_moment_y, -first_moment_x, 0.0, 0.09435211124454879,
-                    0.4601368236989972,
-                ],
-                [
-                    0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
-                    coupling_x1,
-                ],
-                [
-                    first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
-                    coupling_y1,
-                ],
-                [
-                    -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
-                    coupling_z1,
-                ],
-                [
-                    -0.16994951347178364, 0.26259881778612204, 0.09435211124454879, coupling_x0, coupling_y0,
-                    coupling_z0, 1.552415089517443, -0.4358883630060487,
-                ],
-                [
-                    -0.2876357863381134, -0.2266081225633984, 0.4601368236989972, coupling_x1, coupling_y1,
-                    coupling_z1, -0.4358883630060487, 1.7591361040228608,
-                ],
-            ],
-            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t101, t97,
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t101, t97,
+        ];
     }
 
     /// Kinetic energy.
@@ -1385,17 +1390,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+            force: &::ffrf::nalgebra::SVector<f64, 8>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f64, 8, 8>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          67 operations: 41 multiply-add, 6 multiply, 20 add
 //   quadratic_velocity   175 operations: 93 multiply-add, 50 multiply, 32 add
-//   forward_dynamics     334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide
-//   equations_of_motion  334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide
+//   forward_dynamics     337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
+//   equations_of_motion  337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
 //   kinetic_energy       135 operations: 79 multiply-add, 25 multiply, 31 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -326,7 +326,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
     fn forward_dynamics<T: support::Number>(
         q: &[T; 2],
@@ -483,7 +483,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
         let t44 = fma(t33, constant(0.0022078081850939314), fma(constant(0.04434516152818317), coupling_x1, t38));
         let t45 = fma(constant(0.004979184091426888), t33, fma(constant(-0.018906293194520626), coupling_x1, t41));
         let t46 = fma(constant(0.0010169469411906648), t44, t45);
@@ -520,30 +520,29 @@ const _: () = {
         let t77 = fma(-t75, t60, t76 * t65);
         let t78 = fma(t48, t72, fma(-t47, t73, fma(t37, t74, reduced_moment_z)));
         let angular_acceleration_z = constant(1.0) / fma(-t66, t66, t67 * t69) * fma(-t66, t77, t67 * fma(-t75, t68, t78 * t65));
-        let angular_acceleration_y = constant(1.0) / t67 * fma(-t66, angular_acceleration_z, t77);
-        let t79 = fma(-t59, angular_acceleration_y, fma(-t52, angular_acceleration_z, t75));
-        let angular_acceleration_x = constant(1.0) / t64 * t79;
-        let acceleration_z = fma(-t56, angular_acceleration_y, fma(-t61, angular_acceleration_x, t72));
-        let acceleration_z = fma(-t49, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t57, angular_acceleration_y, fma(-t62, angular_acceleration_x, t73));
-        let acceleration_y = fma(constant(-0.0010169469411906648), acceleration_z, fma(-t50, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t58, angular_acceleration_y, fma(-t63, angular_acceleration_x, t74));
-        let acceleration_x = fma(constant(-0.004979184091426888), acceleration_z, fma(-t51, angular_acceleration_z, acceleration_x));
+        let t79 = constant(1.0) / t67;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t66 * t79, t77 * t79);
+        let t80 = constant(1.0) / t64;
+        let angular_acceleration_x = fma(-(t59 * t80), angular_acceleration_y, fma(-angular_acceleration_z, t52 * t80, t75 * t80));
+        let acceleration_z = fma(-t56, angular_acceleration_y, fma(-t49, angular_acceleration_z, t72));
+        let acceleration_z = fma(-t61, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t57, angular_acceleration_y, fma(-t50, angular_acceleration_z, t73));
+        let acceleration_y = fma(constant(-0.0010169469411906648), acceleration_z, fma(-t62, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t58, angular_acceleration_y, fma(-t51, angular_acceleration_z, t74));
+        let acceleration_x = fma(constant(-0.004979184091426888), acceleration_z, fma(-t63, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(constant(0.0022078081850939314), acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t80 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
-        let t81 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t80));
-        let t82 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t81));
-        let t83 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
-        let t84 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t83));
-        let t85 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t84));
+        let t81 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t82 = fma(constant(0.253438228790526), acceleration_z, fma(-coupling_x0, angular_acceleration_x, t81));
+        let t83 = fma(constant(-0.1808945023903729), acceleration_x, fma(constant(-0.036312876401983746), acceleration_y, t82));
+        let t84 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t85 = fma(constant(-0.018906293194520626), acceleration_z, fma(-coupling_x1, angular_acceleration_x, t84));
+        let t86 = fma(constant(-0.260950312316442), acceleration_x, fma(constant(-0.04434516152818317), acceleration_y, t85));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z,
-            fma(-coupling_z0, angular_acceleration_z, t82),
-            fma(-coupling_z1, angular_acceleration_z, t85),
+            angular_acceleration_y, angular_acceleration_z, t83, t86,
         ]
     }
 
@@ -551,19 +550,19 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
-    fn equations_of_motion<T: support::Number>(
+    fn write_equations_of_motion<T: support::Number>(
         q: &[T; 2],
         omega: &[T; 3],
         q_dot: &[T; 2],
         force: &[T; 8],
-    ) -> ([[T; 8]; 8], [T; 8], [T; 8]) {
-        let [q0, q1] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
+        mass_matrix: &mut [[T; 8]; 8],
+        quadratic_velocity: &mut [T; 8],
+        acceleration: &mut [T; 8],
+    ) {
         let constant = support::constant::<T>;
+        let [q0, q1] = *q;
 
         // Deformed moments T_μ + q_ν T_νμ (28 operations: 26 multiply-add, 2 add)
         let moment_trace0 = constant(-0.9947209038954415) + q0;
@@ -616,6 +615,48 @@ const _: () = {
         let inertia_yz = fma(change_yz, constant(-0.5), constant(0.12222711185730377));
         let inertia_xz = fma(change_xz, constant(-0.5), constant(0.03415672448949026));
         let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
+
+        *mass_matrix = [
+            [
+                constant(8.317420932029258), constant(0.0), constant(0.0), constant(0.0), first_moment_z,
+                -first_moment_y, constant(0.1808945023903729), constant(0.260950312316442),
+            ],
+            [
+                constant(0.0), constant(8.317420932029258), constant(0.0), -first_moment_z,
+                constant(0.0), first_moment_x, constant(0.036312876401983746),
+                constant(0.04434516152818317),
+            ],
+            [
+                constant(0.0), constant(0.0), constant(8.317420932029258), first_moment_y,
+                -first_moment_x, constant(0.0), constant(-0.253438228790526),
+                constant(0.018906293194520626),
+            ],
+            [
+                constant(0.0), -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz,
+                coupling_x0, coupling_x1,
+            ],
+            [
+                first_moment_z, constant(0.0), -first_moment_x, inertia_xy, inertia_yy, inertia_yz,
+                coupling_y0, coupling_y1,
+            ],
+            [
+                -first_moment_y, first_moment_x, constant(0.0), inertia_xz, inertia_yz, inertia_zz,
+                coupling_z0, coupling_z1,
+            ],
+            [
+                constant(0.1808945023903729), constant(0.036312876401983746),
+                constant(-0.253438228790526), coupling_x0, coupling_y0, coupling_z0, constant(1.0),
+                constant(0.0),
+            ],
+            [
+                constant(0.260950312316442), constant(0.04434516152818317),
+                constant(0.018906293194520626), coupling_x1, coupling_y1, coupling_z1, constant(0.0),
+                constant(1.0),
+            ],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
         let t1 = fma(constant(0.04434516152818317), q_dot1, constant(0.036312876401983746) * q_dot0);
@@ -680,6 +721,10 @@ const _: () = {
         let modal_quadratic1 = fma(moment_yz1, t22, fma(moment_xz1, t23, fma(moment_xy1, t24, modal_quadratic1)));
         let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
 
+        *quadratic_velocity = [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t31 = fma(constant(0.060988838275967676), q1, constant(40.18021554692058) * q0);
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(constant(0.4018021554692058), q_dot0, t31);
@@ -714,7 +759,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
-        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
         let t50 = fma(t39, constant(0.0022078081850939314), fma(constant(0.04434516152818317), coupling_x1, t44));
         let t51 = fma(constant(0.004979184091426888), t39, fma(constant(-0.018906293194520626), coupling_x1, t47));
         let t52 = fma(constant(0.0010169469411906648), t50, t51);
@@ -751,72 +796,30 @@ const _: () = {
         let t83 = fma(-t81, t66, t82 * t71);
         let t84 = fma(t54, t78, fma(-t53, t79, fma(t43, t80, reduced_moment_z)));
         let angular_acceleration_z = constant(1.0) / fma(-t72, t72, t73 * t75) * fma(-t72, t83, t73 * fma(-t81, t74, t84 * t71));
-        let angular_acceleration_y = constant(1.0) / t73 * fma(-t72, angular_acceleration_z, t83);
-        let t85 = fma(-t65, angular_acceleration_y, fma(-t58, angular_acceleration_z, t81));
-        let angular_acceleration_x = constant(1.0) / t70 * t85;
-        let acceleration_z = fma(-t62, angular_acceleration_y, fma(-t67, angular_acceleration_x, t78));
-        let acceleration_z = fma(-t55, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t63, angular_acceleration_y, fma(-t68, angular_acceleration_x, t79));
-        let acceleration_y = fma(constant(-0.0010169469411906648), acceleration_z, fma(-t56, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t64, angular_acceleration_y, fma(-t69, angular_acceleration_x, t80));
-        let acceleration_x = fma(constant(-0.004979184091426888), acceleration_z, fma(-t57, angular_acceleration_z, acceleration_x));
+        let t85 = constant(1.0) / t73;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t72 * t85, t83 * t85);
+        let t86 = constant(1.0) / t70;
+        let angular_acceleration_x = fma(-(t65 * t86), angular_acceleration_y, fma(-angular_acceleration_z, t58 * t86, t81 * t86));
+        let acceleration_z = fma(-t62, angular_acceleration_y, fma(-t55, angular_acceleration_z, t78));
+        let acceleration_z = fma(-t67, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t63, angular_acceleration_y, fma(-t56, angular_acceleration_z, t79));
+        let acceleration_y = fma(constant(-0.0010169469411906648), acceleration_z, fma(-t68, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t64, angular_acceleration_y, fma(-t57, angular_acceleration_z, t80));
+        let acceleration_x = fma(constant(-0.004979184091426888), acceleration_z, fma(-t69, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(constant(0.0022078081850939314), acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t86 = fma(constant(-0.1808945023903729), acceleration_x, modal_residual0);
-        let t87 = fma(constant(0.253438228790526), acceleration_z, fma(constant(-0.036312876401983746), acceleration_y, t86));
-        let t88 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_x0, angular_acceleration_x, t87));
-        let t89 = fma(constant(-0.260950312316442), acceleration_x, modal_residual1);
-        let t90 = fma(constant(-0.018906293194520626), acceleration_z, fma(constant(-0.04434516152818317), acceleration_y, t89));
-        let t91 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_x1, angular_acceleration_x, t90));
+        let t87 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t88 = fma(constant(0.253438228790526), acceleration_z, fma(-coupling_x0, angular_acceleration_x, t87));
+        let t89 = fma(constant(-0.1808945023903729), acceleration_x, fma(constant(-0.036312876401983746), acceleration_y, t88));
+        let t90 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t91 = fma(constant(-0.018906293194520626), acceleration_z, fma(-coupling_x1, angular_acceleration_x, t90));
+        let t92 = fma(constant(-0.260950312316442), acceleration_x, fma(constant(-0.04434516152818317), acceleration_y, t91));
 
-        (
-            [
-                [
-                    constant(8.317420932029258), constant(0.0), constant(0.0), constant(0.0), first_moment_z,
-                    -first_moment_y, constant(0.1808945023903729), constant(0.260950312316442),
-                ],
-                [
-                    constant(0.0), constant(8.317420932029258), constant(0.0), -first_moment_z,
-                    constant(0.0), first_moment_x, constant(0.036312876401983746),
-                    constant(0.04434516152818317),
-                ],
-                [
-                    constant(0.0), constant(0.0), constant(8.317420932029258), first_moment_y,
-                    -first_moment_x, constant(0.0), constant(-0.253438228790526),
-                    constant(0.018906293194520626),
-                ],
-                [
-                    constant(0.0), -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz,
-                    coupling_x0, coupling_x1,
-                ],
-                [
-                    first_moment_z, constant(0.0), -first_moment_x, inertia_xy, inertia_yy, inertia_yz,
-                    coupling_y0, coupling_y1,
-                ],
-                [
-                    -first_moment_y, first_moment_x, constant(0.0), inertia_xz, inertia_yz, inertia_zz,
-                    coupling_z0, coupling_z1,
-                ],
-                [
-                    constant(0.1808945023903729), constant(0.036312876401983746),
-                    constant(-0.253438228790526), coupling_x0, coupling_y0, coupling_z0, constant(1.0),
-                    constant(0.0),
-                ],
-                [
-                    constant(0.260950312316442), constant(0.04434516152818317),
-                    constant(0.018906293194520626), coupling_x1, coupling_y1, coupling_z1, constant(0.0),
-                    constant(1.0),
-                ],
-            ],
-            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z,
-                fma(-coupling_z0, angular_acceleration_z, t88),
-                fma(-coupling_z1, angular_acceleration_z, t91),
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t89, t92,
+        ];
     }
 
     /// Kinetic energy.
@@ -1515,17 +1518,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<T, 2>,
             force: &::ffrf::nalgebra::SVector<T, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, T> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::SVector<T, 2>,
+            omega: &::ffrf::nalgebra::Vector3<T>,
+            q_dot: &::ffrf::nalgebra::SVector<T, 2>,
+            force: &::ffrf::nalgebra::SVector<T, 8>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<T, 8, 8>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<T, 8>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<T, 8>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

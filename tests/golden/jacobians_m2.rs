@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          67 operations: 41 multiply-add, 6 multiply, 20 add
 //   quadratic_velocity   175 operations: 93 multiply-add, 50 multiply, 32 add
-//   forward_dynamics     334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide
-//   equations_of_motion  334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide
+//   forward_dynamics     337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
+//   equations_of_motion  337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide
 //   kinetic_energy       135 operations: 79 multiply-add, 25 multiply, 31 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      21 operations: 18 multiply-add, 3 multiply
@@ -22,7 +22,7 @@
 //   damping              0 operations
 //   mass                 0 operations
 //   prepare              181 operations: 97 multiply-add, 52 multiply, 32 add
-//   acceleration_jacobian 1448 operations: 954 multiply-add, 319 multiply, 172 add, 3 divide
+//   acceleration_jacobian 1447 operations: 954 multiply-add, 318 multiply, 172 add, 3 divide
 //   residual_jacobian    613 operations: 288 multiply-add, 157 multiply, 168 add
 
 /// Flexible body "random body with 2 modes" with 2 modes.
@@ -296,7 +296,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -432,7 +432,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - (t10 + t12)));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - (t13 + t15)));
 
-        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
         let t42 = fma(t33, 0.003449144794252644, t36);
         let t43 = fma(-0.001997492847507307, t42, fma(-0.02353312234715631, t33, t39));
         let t44 = fma(-0.003449144794252644, t35, t38);
@@ -467,28 +467,29 @@ const _: () = {
         let t73 = fma(-t71, t56, t72 * t61);
         let t74 = fma(t45, t68, fma(-t44, t69, fma(t35, t70, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t62, t62, t63 * t65) * fma(-t62, t73, t63 * fma(-t71, t64, t74 * t61));
-        let angular_acceleration_y = 1.0 / t63 * fma(-t62, angular_acceleration_z, t73);
-        let t75 = fma(-t55, angular_acceleration_y, fma(-t49, angular_acceleration_z, t71));
-        let angular_acceleration_x = 1.0 / t60 * t75;
-        let acceleration_z = fma(-t52, angular_acceleration_y, fma(-t57, angular_acceleration_x, t68));
-        let acceleration_z = fma(-t46, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t53, angular_acceleration_y, fma(-t58, angular_acceleration_x, t69));
-        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t47, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t54, angular_acceleration_y, fma(-t59, angular_acceleration_x, t70));
-        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t48, angular_acceleration_z, acceleration_x));
+        let t75 = 1.0 / t63;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t62 * t75, t73 * t75);
+        let t76 = 1.0 / t60;
+        let angular_acceleration_x = fma(-(t55 * t76), angular_acceleration_y, fma(-angular_acceleration_z, t49 * t76, t71 * t76));
+        let acceleration_z = fma(-t52, angular_acceleration_y, fma(-t46, angular_acceleration_z, t68));
+        let acceleration_z = fma(-t57, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t53, angular_acceleration_y, fma(-t47, angular_acceleration_z, t69));
+        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t58, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t54, angular_acceleration_y, fma(-t48, angular_acceleration_z, t70));
+        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t59, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(0.003449144794252644, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t76 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
-        let t77 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t76));
-        let t78 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t77));
-        let t79 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
-        let t80 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t79));
-        let t81 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t80));
+        let t77 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t78 = fma(0.14106512955956807, acceleration_z, fma(-coupling_x0, angular_acceleration_x, t77));
+        let t79 = fma(0.7613599420768367, acceleration_x, fma(0.013296641892764124, acceleration_y, t78));
+        let t80 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t81 = fma(-0.23954110582463117, acceleration_z, fma(-coupling_x1, angular_acceleration_x, t80));
+        let t82 = fma(-0.26899095817779994, acceleration_x, fma(-0.055993206221893924, acceleration_y, t81));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t78, t81,
+            angular_acceleration_y, angular_acceleration_z, t79, t82,
         ]
     }
 
@@ -496,18 +497,18 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 334 operations: 209 multiply-add, 80 multiply, 42 add, 3 divide.
+    /// Cost: 337 operations: 209 multiply-add, 83 multiply, 42 add, 3 divide.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         q: &[f64; 2],
         omega: &[f64; 3],
         q_dot: &[f64; 2],
         force: &[f64; 8],
-    ) -> ([[f64; 8]; 8], [f64; 8], [f64; 8]) {
+        mass_matrix: &mut [[f64; 8]; 8],
+        quadratic_velocity: &mut [f64; 8],
+        acceleration: &mut [f64; 8],
+    ) {
         let [q0, q1] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
 
         // Deformed moments T_μ + q_ν T_νμ (28 operations: 26 multiply-add, 2 add)
         let moment_trace0 = -1.1922303307198583 + q0;
@@ -547,6 +548,44 @@ const _: () = {
         let inertia_yz = fma(change_yz, -0.5, -0.02439287155203819);
         let inertia_xz = fma(change_xz, -0.5, -0.8912259279844577);
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
+
+        *mass_matrix = [
+            [
+                7.95389213843747, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.7613599420768367,
+                0.26899095817779994,
+            ],
+            [
+                0.0, 7.95389213843747, 0.0, -first_moment_z, 0.0, first_moment_x, -0.013296641892764124,
+                0.055993206221893924,
+            ],
+            [
+                0.0, 0.0, 7.95389213843747, first_moment_y, -first_moment_x, 0.0, -0.14106512955956807,
+                0.23954110582463117,
+            ],
+            [
+                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                coupling_x1,
+            ],
+            [
+                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                coupling_y1,
+            ],
+            [
+                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                coupling_z1,
+            ],
+            [
+                -0.7613599420768367, -0.013296641892764124, -0.14106512955956807, coupling_x0,
+                coupling_y0, coupling_z0, 1.0, 0.0,
+            ],
+            [
+                0.26899095817779994, 0.055993206221893924, 0.23954110582463117, coupling_x1, coupling_y1,
+                coupling_z1, 0.0, 1.0,
+            ],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (21 operations: 12 multiply-add, 9 multiply)
         let t1 = fma(0.055993206221893924, q_dot1, -0.013296641892764124 * q_dot0);
@@ -611,6 +650,10 @@ const _: () = {
         let modal_quadratic1 = fma(moment_yz1, t22, fma(moment_xz1, t23, fma(moment_xy1, t24, modal_quadratic1)));
         let modal_quadratic1 = fma(t19, whirl_z1, fma(t15, whirl_y1, fma(t11, whirl_x1, modal_quadratic1)));
 
+        *quadratic_velocity = [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t31 = fma(0.410018510905971, q_dot0, fma(0.9351597374893034, q1, 41.0018510905971 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - t31;
@@ -640,7 +683,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t17));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t21));
 
-        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
         let t48 = fma(t39, 0.003449144794252644, t42);
         let t49 = fma(-0.001997492847507307, t48, fma(-0.02353312234715631, t39, t45));
         let t50 = fma(-0.003449144794252644, t41, t44);
@@ -675,66 +718,30 @@ const _: () = {
         let t79 = fma(-t77, t62, t78 * t67);
         let t80 = fma(t51, t74, fma(-t50, t75, fma(t41, t76, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t68, t68, t69 * t71) * fma(-t68, t79, t69 * fma(-t77, t70, t80 * t67));
-        let angular_acceleration_y = 1.0 / t69 * fma(-t68, angular_acceleration_z, t79);
-        let t81 = fma(-t61, angular_acceleration_y, fma(-t55, angular_acceleration_z, t77));
-        let angular_acceleration_x = 1.0 / t66 * t81;
-        let acceleration_z = fma(-t58, angular_acceleration_y, fma(-t63, angular_acceleration_x, t74));
-        let acceleration_z = fma(-t52, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t59, angular_acceleration_y, fma(-t64, angular_acceleration_x, t75));
-        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t53, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t60, angular_acceleration_y, fma(-t65, angular_acceleration_x, t76));
-        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t54, angular_acceleration_z, acceleration_x));
+        let t81 = 1.0 / t69;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t68 * t81, t79 * t81);
+        let t82 = 1.0 / t66;
+        let angular_acceleration_x = fma(-(t61 * t82), angular_acceleration_y, fma(-angular_acceleration_z, t55 * t82, t77 * t82));
+        let acceleration_z = fma(-t58, angular_acceleration_y, fma(-t52, angular_acceleration_z, t74));
+        let acceleration_z = fma(-t63, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t59, angular_acceleration_y, fma(-t53, angular_acceleration_z, t75));
+        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t64, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t60, angular_acceleration_y, fma(-t54, angular_acceleration_z, t76));
+        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t65, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(0.003449144794252644, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t82 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
-        let t83 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t82));
-        let t84 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t83));
-        let t85 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
-        let t86 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t85));
-        let t87 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t86));
+        let t83 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t84 = fma(0.14106512955956807, acceleration_z, fma(-coupling_x0, angular_acceleration_x, t83));
+        let t85 = fma(0.7613599420768367, acceleration_x, fma(0.013296641892764124, acceleration_y, t84));
+        let t86 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t87 = fma(-0.23954110582463117, acceleration_z, fma(-coupling_x1, angular_acceleration_x, t86));
+        let t88 = fma(-0.26899095817779994, acceleration_x, fma(-0.055993206221893924, acceleration_y, t87));
 
-        (
-            [
-                [
-                    7.95389213843747, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.7613599420768367,
-                    0.26899095817779994,
-                ],
-                [
-                    0.0, 7.95389213843747, 0.0, -first_moment_z, 0.0, first_moment_x, -0.013296641892764124,
-                    0.055993206221893924,
-                ],
-                [
-                    0.0, 0.0, 7.95389213843747, first_moment_y, -first_moment_x, 0.0, -0.14106512955956807,
-                    0.23954110582463117,
-                ],
-                [
-                    0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
-                    coupling_x1,
-                ],
-                [
-                    first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
-                    coupling_y1,
-                ],
-                [
-                    -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
-                    coupling_z1,
-                ],
-                [
-                    -0.7613599420768367, -0.013296641892764124, -0.14106512955956807, coupling_x0,
-                    coupling_y0, coupling_z0, 1.0, 0.0,
-                ],
-                [
-                    0.26899095817779994, 0.055993206221893924, 0.23954110582463117, coupling_x1, coupling_y1,
-                    coupling_z1, 0.0, 1.0,
-                ],
-            ],
-            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t84, t87,
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t85, t88,
+        ];
     }
 
     /// Kinetic energy.
@@ -1161,7 +1168,7 @@ const _: () = {
     ///
     /// Shape: 8; columns of 8: 2, 2, 3, 8. Units: those of w, per unit of the variable. Frame: body.
     /// Source: ∂w/∂x = -M⁻¹ ∂R/∂x (implicit function theorem), ∂w/∂force = M⁻¹.
-    /// Cost: 1448 operations: 954 multiply-add, 319 multiply, 172 add, 3 divide.
+    /// Cost: 1447 operations: 954 multiply-add, 318 multiply, 172 add, 3 divide.
     #[inline]
     fn acceleration_jacobian(
         q: &[f64; 2],
@@ -1346,7 +1353,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t58));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t62));
 
-        // Rigid-body accelerations (89 operations: 61 multiply-add, 25 multiply, 3 divide)
+        // Rigid-body accelerations (92 operations: 61 multiply-add, 28 multiply, 3 divide)
         let t89 = fma(t80, 0.003449144794252644, t83);
         let t90 = fma(-0.001997492847507307, t89, fma(-0.02353312234715631, t80, t86));
         let t91 = fma(-0.003449144794252644, t82, t85);
@@ -1383,230 +1390,230 @@ const _: () = {
         let t122 = fma(t92, t116, fma(-t91, t117, fma(t82, t118, reduced_moment_z)));
         let angular_acceleration_z = t113 * fma(-t109, t121, t110 * fma(-t119, t111, t122 * t108));
         let t123 = 1.0 / t110;
-        let angular_acceleration_y = t123 * fma(-t109, angular_acceleration_z, t121);
-        let t124 = 1.0 / t107;
-        let t125 = fma(-t102, angular_acceleration_y, fma(-t96, angular_acceleration_z, t119));
-        let angular_acceleration_x = t124 * t125;
-        let acceleration_z = fma(-t99, angular_acceleration_y, fma(-t104, angular_acceleration_x, t116));
-        let acceleration_z = fma(-t93, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t100, angular_acceleration_y, fma(-t105, angular_acceleration_x, t117));
-        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t94, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t101, angular_acceleration_y, fma(-t106, angular_acceleration_x, t118));
-        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t95, angular_acceleration_z, acceleration_x));
+        let t124 = t109 * t123;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t124, t121 * t123);
+        let t125 = 1.0 / t107;
+        let t126 = t102 * t125;
+        let t127 = t96 * t125;
+        let angular_acceleration_x = fma(-t126, angular_acceleration_y, fma(-angular_acceleration_z, t127, t119 * t125));
+        let acceleration_z = fma(-t99, angular_acceleration_y, fma(-t93, angular_acceleration_z, t116));
+        let acceleration_z = fma(-t104, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t100, angular_acceleration_y, fma(-t94, angular_acceleration_z, t117));
+        let acceleration_y = fma(0.001997492847507307, acceleration_z, fma(-t105, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t101, angular_acceleration_y, fma(-t95, angular_acceleration_z, t118));
+        let acceleration_x = fma(0.02353312234715631, acceleration_z, fma(-t106, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(0.003449144794252644, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t126 = fma(0.013296641892764124, acceleration_y, fma(0.7613599420768367, acceleration_x, modal_residual0));
-        let t127 = fma(-coupling_x0, angular_acceleration_x, fma(0.14106512955956807, acceleration_z, t126));
-        let t128 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t127));
-        let t129 = fma(-0.055993206221893924, acceleration_y, fma(-0.26899095817779994, acceleration_x, modal_residual1));
-        let t130 = fma(-coupling_x1, angular_acceleration_x, fma(-0.23954110582463117, acceleration_z, t129));
-        let t131 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t130));
+        let t128 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t129 = fma(0.14106512955956807, acceleration_z, fma(-coupling_x0, angular_acceleration_x, t128));
+        let t130 = fma(0.7613599420768367, acceleration_x, fma(0.013296641892764124, acceleration_y, t129));
+        let t131 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t132 = fma(-0.23954110582463117, acceleration_z, fma(-coupling_x1, angular_acceleration_x, t131));
+        let t133 = fma(-0.26899095817779994, acceleration_x, fma(-0.055993206221893924, acceleration_y, t132));
 
         // Derivatives of the residual (277 operations: 109 multiply-add, 79 multiply, 89 add)
-        let t132 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
-        let t133 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
-        let t134 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
-        let t135 = -0.5 * (t10 + (t9 + t32));
-        let t136 = q0 + t22;
-        let t137 = t2 + (t1 + t24);
-        let t138 = t136 - t137;
-        let t139 = -0.5 * (t6 + (t5 + t28));
-        let t140 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t135, fma(omega_y, t138, omega_x * t139)));
-        let t141 = t4 + (t3 + t26);
-        let t142 = t136 - t141;
-        let t143 = -0.5 * (t8 + (t7 + t30));
-        let t144 = fma(0.11303908576704362, q_dot1, fma(omega_z, t142, fma(omega_y, t135, omega_x * t143)));
-        let t145 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
-        let t146 = fma(0.08566760407982914, q_dot1, 0.12985232981165795 * q_dot0);
-        let t147 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
-        let t148 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
-        let t149 = fma(-omega_z, t145, fma(-omega_y, t146, t53 * (t147 + t148)));
-        let t150 = t137 + t141;
-        let t151 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t143, fma(omega_y, t139, omega_x * t150)));
-        let t152 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
-        let t153 = fma(-omega_z, t152, fma(-omega_x, t146, t57 * (q_dot0 - t147)));
-        let t154 = fma(-omega_y, t151, omega_x * t140) + fma(t61, q_dot0 - t148, -fma(omega_y, t152, omega_x * t145));
-        let t155 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t71, -t70));
-        let t156 = fma(-0.33402903106409804, t64, fma(0.12985232981165795, t65, t155));
-        let t157 = 41.0018510905971 + fma(-0.4323361376218965, t63, t156);
-        let t158 = fma(0.08566760407982914, t65, fma(-0.04431370462910027, t68, 0.00639232183790743 * t71));
-        let t159 = fma(-0.14347674245138292, t63, fma(0.06527925764351436, t64, t158));
-        let t160 = 0.9351597374893034 + t159;
-        let t161 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
-        let t162 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
-        let t163 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
-        let t164 = -0.5 * (t19 + (t20 + t31));
-        let t165 = q1 + t21;
-        let t166 = t11 + (t12 + t23);
-        let t167 = t165 - t166;
-        let t168 = -0.5 * (t15 + (t16 + t27));
-        let t169 = fma(0.19242619512316964, q_dot0, fma(omega_z, t164, fma(omega_y, t167, omega_x * t168)));
-        let t170 = t13 + (t14 + t25);
-        let t171 = t165 - t170;
-        let t172 = -0.5 * (t17 + (t18 + t29));
-        let t173 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t171, fma(omega_y, t164, omega_x * t172)));
-        let t174 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
-        let t175 = fma(0.031030589707457527, q_dot1, 0.08566760407982914 * q_dot0);
-        let t176 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
-        let t177 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
-        let t178 = fma(-omega_z, t174, fma(-omega_y, t175, t53 * (t176 + t177)));
-        let t179 = t166 + t170;
-        let t180 = fma(0.01153987579044198, q_dot0, fma(omega_z, t172, fma(omega_y, t168, omega_x * t179)));
-        let t181 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
-        let t182 = fma(-omega_z, t181, fma(-omega_x, t175, t57 * (q_dot1 - t176)));
-        let t183 = fma(-omega_y, t180, omega_x * t169) + fma(t61, q_dot1 - t177, -fma(omega_y, t181, omega_x * t174));
-        let t184 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t71, -t70));
-        let t185 = fma(0.41141170797873267, t64, fma(0.031030589707457527, t65, t184));
-        let t186 = 70.93539824726788 + fma(0.13572545476093628, t63, t185);
-        let t187 = moment_yy0 + moment_zz0;
-        let t188 = omega_y * moment_xy0;
-        let t189 = omega_z * moment_xz0;
-        let t190 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t53, t187, -t188) - t189);
-        let t191 = omega_x * moment_xy0;
-        let t192 = omega_z * moment_yz0;
-        let t193 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t57, moment_trace0 - moment_yy0, -t191) - t192);
-        let t194 = omega_x * moment_xz0;
-        let t195 = omega_y * moment_yz0;
-        let t196 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t61, moment_trace0 - moment_zz0, -(t194 + t195));
-        let t197 = fma(0.11303908576704362, t61, fma(-0.19242619512316964, t57, -0.01153987579044198 * t53));
-        let t198 = moment_yy1 + moment_zz1;
-        let t199 = omega_y * moment_xy1;
-        let t200 = omega_z * moment_xz1;
-        let t201 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t53, t198, -t199) - t200);
-        let t202 = omega_x * moment_xy1;
-        let t203 = omega_z * moment_yz1;
-        let t204 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t57, moment_trace1 - moment_yy1, -t202) - t203);
-        let t205 = omega_x * moment_xz1;
-        let t206 = omega_y * moment_yz1;
-        let t207 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t61, moment_trace1 - moment_zz1, -(t205 + t206));
-        let t208 = fma(-0.11303908576704362, t61, fma(0.19242619512316964, t57, 0.01153987579044198 * t53));
-        let t209 = omega_y * first_moment_y;
-        let t210 = omega_z * first_moment_z;
-        let t211 = omega_y * inertia_xz;
-        let t212 = omega_z * inertia_xy;
-        let t213 = omega_x + omega_x;
-        let t214 = fma(2.0, whirl_x0, t189 + fma(-t187, t213, t188));
-        let t215 = fma(2.0, whirl_x1, t200 + fma(-t198, t213, t199));
-        let t216 = omega_x * first_moment_x;
-        let t217 = omega_x * inertia_yz;
-        let t218 = omega_y + omega_y;
-        let t219 = fma(2.0, whirl_y0, t192 + fma(t218, moment_yy0 - moment_trace0, t191));
-        let t220 = fma(2.0, whirl_y1, t203 + fma(t218, moment_yy1 - moment_trace1, t202));
-        let t221 = omega_z + omega_z;
-        let t222 = fma(2.0, whirl_z0, t195 + fma(t221, moment_zz0 - moment_trace0, t194));
-        let t223 = fma(2.0, whirl_z1, t206 + fma(t221, moment_zz1 - moment_trace1, t205));
+        let t134 = fma(0.14106512955956807, omega_x, -0.7613599420768367 * omega_z);
+        let t135 = fma(0.7613599420768367, omega_y, -0.013296641892764124 * omega_x);
+        let t136 = fma(0.013296641892764124, omega_z, -0.14106512955956807 * omega_y);
+        let t137 = -0.5 * (t10 + (t9 + t32));
+        let t138 = q0 + t22;
+        let t139 = t2 + (t1 + t24);
+        let t140 = t138 - t139;
+        let t141 = -0.5 * (t6 + (t5 + t28));
+        let t142 = fma(-0.19242619512316964, q_dot1, fma(omega_z, t137, fma(omega_y, t140, omega_x * t141)));
+        let t143 = t4 + (t3 + t26);
+        let t144 = t138 - t143;
+        let t145 = -0.5 * (t8 + (t7 + t30));
+        let t146 = fma(0.11303908576704362, q_dot1, fma(omega_z, t144, fma(omega_y, t137, omega_x * t145)));
+        let t147 = fma(0.06527925764351436, q_dot1, -0.33402903106409804 * q_dot0);
+        let t148 = fma(0.08566760407982914, q_dot1, 0.12985232981165795 * q_dot0);
+        let t149 = fma(0.00639232183790743, q_dot1, 0.23372499810342384 * q_dot0);
+        let t150 = fma(-0.04431370462910027, q_dot1, 0.46098765458032875 * q_dot0);
+        let t151 = fma(-omega_z, t147, fma(-omega_y, t148, t53 * (t149 + t150)));
+        let t152 = t139 + t143;
+        let t153 = fma(-0.01153987579044198, q_dot1, fma(omega_z, t145, fma(omega_y, t141, omega_x * t152)));
+        let t154 = fma(-0.14347674245138292, q_dot1, -0.4323361376218965 * q_dot0);
+        let t155 = fma(-omega_z, t154, fma(-omega_x, t148, t57 * (q_dot0 - t149)));
+        let t156 = fma(-omega_y, t153, omega_x * t142) + fma(t61, q_dot0 - t150, -fma(omega_y, t154, omega_x * t147));
+        let t157 = fma(0.46098765458032875, t68, fma(0.23372499810342384, t71, -t70));
+        let t158 = fma(-0.33402903106409804, t64, fma(0.12985232981165795, t65, t157));
+        let t159 = 41.0018510905971 + fma(-0.4323361376218965, t63, t158);
+        let t160 = fma(0.08566760407982914, t65, fma(-0.04431370462910027, t68, 0.00639232183790743 * t71));
+        let t161 = fma(-0.14347674245138292, t63, fma(0.06527925764351436, t64, t160));
+        let t162 = 0.9351597374893034 + t161;
+        let t163 = fma(-0.23954110582463117, omega_x, 0.26899095817779994 * omega_z);
+        let t164 = fma(-0.26899095817779994, omega_y, 0.055993206221893924 * omega_x);
+        let t165 = fma(-0.055993206221893924, omega_z, 0.23954110582463117 * omega_y);
+        let t166 = -0.5 * (t19 + (t20 + t31));
+        let t167 = q1 + t21;
+        let t168 = t11 + (t12 + t23);
+        let t169 = t167 - t168;
+        let t170 = -0.5 * (t15 + (t16 + t27));
+        let t171 = fma(0.19242619512316964, q_dot0, fma(omega_z, t166, fma(omega_y, t169, omega_x * t170)));
+        let t172 = t13 + (t14 + t25);
+        let t173 = t167 - t172;
+        let t174 = -0.5 * (t17 + (t18 + t29));
+        let t175 = fma(-0.11303908576704362, q_dot0, fma(omega_z, t173, fma(omega_y, t166, omega_x * t174)));
+        let t176 = fma(0.41141170797873267, q_dot1, 0.06527925764351436 * q_dot0);
+        let t177 = fma(0.031030589707457527, q_dot1, 0.08566760407982914 * q_dot0);
+        let t178 = fma(0.23702303838193275, q_dot1, 0.00639232183790743 * q_dot0);
+        let t179 = fma(0.3754957458776394, q_dot1, -0.04431370462910027 * q_dot0);
+        let t180 = fma(-omega_z, t176, fma(-omega_y, t177, t53 * (t178 + t179)));
+        let t181 = t168 + t172;
+        let t182 = fma(0.01153987579044198, q_dot0, fma(omega_z, t174, fma(omega_y, t170, omega_x * t181)));
+        let t183 = fma(0.13572545476093628, q_dot1, -0.14347674245138292 * q_dot0);
+        let t184 = fma(-omega_z, t183, fma(-omega_x, t177, t57 * (q_dot1 - t178)));
+        let t185 = fma(-omega_y, t182, omega_x * t171) + fma(t61, q_dot1 - t179, -fma(omega_y, t183, omega_x * t176));
+        let t186 = fma(0.3754957458776394, t68, fma(0.23702303838193275, t71, -t70));
+        let t187 = fma(0.41141170797873267, t64, fma(0.031030589707457527, t65, t186));
+        let t188 = 70.93539824726788 + fma(0.13572545476093628, t63, t187);
+        let t189 = moment_yy0 + moment_zz0;
+        let t190 = omega_y * moment_xy0;
+        let t191 = omega_z * moment_xz0;
+        let t192 = fma(-omega_z, coupling_y0, omega_y * coupling_z0) + (fma(t53, t189, -t190) - t191);
+        let t193 = omega_x * moment_xy0;
+        let t194 = omega_z * moment_yz0;
+        let t195 = fma(-omega_x, coupling_z0, omega_z * coupling_x0) + (fma(t57, moment_trace0 - moment_yy0, -t193) - t194);
+        let t196 = omega_x * moment_xz0;
+        let t197 = omega_y * moment_yz0;
+        let t198 = fma(-omega_y, coupling_x0, omega_x * coupling_y0) + fma(t61, moment_trace0 - moment_zz0, -(t196 + t197));
+        let t199 = fma(0.11303908576704362, t61, fma(-0.19242619512316964, t57, -0.01153987579044198 * t53));
+        let t200 = moment_yy1 + moment_zz1;
+        let t201 = omega_y * moment_xy1;
+        let t202 = omega_z * moment_xz1;
+        let t203 = fma(-omega_z, coupling_y1, omega_y * coupling_z1) + (fma(t53, t200, -t201) - t202);
+        let t204 = omega_x * moment_xy1;
+        let t205 = omega_z * moment_yz1;
+        let t206 = fma(-omega_x, coupling_z1, omega_z * coupling_x1) + (fma(t57, moment_trace1 - moment_yy1, -t204) - t205);
+        let t207 = omega_x * moment_xz1;
+        let t208 = omega_y * moment_yz1;
+        let t209 = fma(-omega_y, coupling_x1, omega_x * coupling_y1) + fma(t61, moment_trace1 - moment_zz1, -(t207 + t208));
+        let t210 = fma(-0.11303908576704362, t61, fma(0.19242619512316964, t57, 0.01153987579044198 * t53));
+        let t211 = omega_y * first_moment_y;
+        let t212 = omega_z * first_moment_z;
+        let t213 = omega_y * inertia_xz;
+        let t214 = omega_z * inertia_xy;
+        let t215 = omega_x + omega_x;
+        let t216 = fma(2.0, whirl_x0, t191 + fma(-t189, t215, t190));
+        let t217 = fma(2.0, whirl_x1, t202 + fma(-t200, t215, t201));
+        let t218 = omega_x * first_moment_x;
+        let t219 = omega_x * inertia_yz;
+        let t220 = omega_y + omega_y;
+        let t221 = fma(2.0, whirl_y0, t194 + fma(t220, moment_yy0 - moment_trace0, t193));
+        let t222 = fma(2.0, whirl_y1, t205 + fma(t220, moment_yy1 - moment_trace1, t204));
+        let t223 = omega_z + omega_z;
+        let t224 = fma(2.0, whirl_z0, t197 + fma(t223, moment_zz0 - moment_trace0, t196));
+        let t225 = fma(2.0, whirl_z1, t208 + fma(t223, moment_zz1 - moment_trace1, t207));
 
-        // Derivatives of the accelerations (811 operations: 662 multiply-add, 134 multiply, 15 add)
-        let t224 = fma(-0.19242619512316964, angular_acceleration_y, fma(-0.01153987579044198, angular_acceleration_x, t160));
-        let t225 = fma(0.11303908576704362, angular_acceleration_z, t224);
-        let t226 = fma(-0.14106512955956807, angular_acceleration_y, fma(-omega_z, t132, omega_y * t133));
-        let reduced_force_x_2 = fma(-0.7613599420768367, t157, fma(-0.013296641892764124, angular_acceleration_z, -t226));
-        let reduced_force_x_2 = fma(0.26899095817779994, t225, reduced_force_x_2);
-        let t227 = fma(-0.013296641892764124, angular_acceleration_x, fma(-omega_y, t134, omega_x * t132));
-        let reduced_force_z_2 = fma(-0.14106512955956807, t157, fma(-0.7613599420768367, angular_acceleration_y, -t227));
-        let reduced_force_z_2 = fma(0.23954110582463117, t225, reduced_force_z_2);
-        let t228 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t140, omega_y * t144) + t149);
-        let t229 = fma(angular_acceleration_x, t150, fma(-0.013296641892764124, acceleration_z, t228));
-        let t230 = fma(angular_acceleration_z, t143, fma(angular_acceleration_y, t139, t229));
-        let reduced_moment_x_2 = fma(coupling_x0, t157, -fma(-0.01153987579044198, t131, t230));
-        let reduced_moment_x_2 = fma(coupling_x1, t225, reduced_moment_x_2);
-        let t231 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t144, omega_z * t151) + t153);
-        let t232 = fma(angular_acceleration_x, t139, fma(0.7613599420768367, acceleration_z, t231));
-        let t233 = fma(angular_acceleration_z, t135, fma(angular_acceleration_y, t138, t232));
-        let reduced_moment_y_2 = fma(coupling_y0, t157, -fma(-0.19242619512316964, t131, t233));
-        let reduced_moment_y_2 = fma(coupling_y1, t225, reduced_moment_y_2);
-        let t234 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t154));
-        let t235 = fma(angular_acceleration_y, t135, fma(angular_acceleration_x, t143, t234));
-        let t236 = fma(0.11303908576704362, t131, fma(angular_acceleration_z, t142, t235));
-        let reduced_moment_z_2 = fma(coupling_z1, t225, fma(coupling_z0, t157, -t236));
-        let t237 = fma(0.14106512955956807, angular_acceleration_x, fma(-omega_x, t133, omega_z * t134));
-        let t238 = fma(t157, 0.013296641892764124, fma(-0.7613599420768367, angular_acceleration_z, t237));
-        let t239 = fma(-0.003449144794252644, reduced_force_x_2, fma(t225, -0.055993206221893924, t238));
-        let t240 = fma(0.02353312234715631, reduced_force_x_2, reduced_force_z_2);
-        let t241 = 0.12702385080665668 * fma(-0.001997492847507307, t239, t240);
-        let t242 = -0.12577836002342027 * t239;
-        let t243 = 0.1369512748345644 * reduced_force_x_2;
-        let t244 = fma(-t90, t241, fma(t89, t242, fma(t80, t243, reduced_moment_x_2)));
-        let t245 = fma(t98, t241, fma(t97, t242, fma(-t81, t243, reduced_moment_y_2)));
-        let t246 = fma(-t103, t244, t108 * t245);
-        let t247 = fma(t92, t241, fma(-t91, t242, fma(t82, t243, reduced_moment_z_2)));
-        let angular_acceleration_z_2 = t113 * fma(-t109, t246, t110 * fma(-t111, t244, t108 * t247));
-        let angular_acceleration_y_2 = t123 * fma(-t109, angular_acceleration_z_2, t246);
-        let t248 = fma(-t102, angular_acceleration_y_2, fma(-t96, angular_acceleration_z_2, t244));
-        let angular_acceleration_x_2 = t124 * t248;
-        let acceleration_z_2 = fma(-t99, angular_acceleration_y_2, fma(-t104, angular_acceleration_x_2, t241));
-        let acceleration_z_2 = fma(-t93, angular_acceleration_z_2, acceleration_z_2);
-        let acceleration_y_2 = fma(-t100, angular_acceleration_y_2, fma(-t105, angular_acceleration_x_2, t242));
-        let acceleration_y_2 = fma(0.001997492847507307, acceleration_z_2, fma(-t94, angular_acceleration_z_2, acceleration_y_2));
-        let acceleration_x_2 = fma(-t101, angular_acceleration_y_2, fma(-t106, angular_acceleration_x_2, t243));
-        let acceleration_x_2 = fma(0.02353312234715631, acceleration_z_2, fma(-t95, angular_acceleration_z_2, acceleration_x_2));
+        // Derivatives of the accelerations (807 operations: 662 multiply-add, 130 multiply, 15 add)
+        let t226 = fma(-0.19242619512316964, angular_acceleration_y, fma(-0.01153987579044198, angular_acceleration_x, t162));
+        let t227 = fma(0.11303908576704362, angular_acceleration_z, t226);
+        let t228 = fma(-0.14106512955956807, angular_acceleration_y, fma(-omega_z, t134, omega_y * t135));
+        let reduced_force_x_2 = fma(-0.7613599420768367, t159, fma(-0.013296641892764124, angular_acceleration_z, -t228));
+        let reduced_force_x_2 = fma(0.26899095817779994, t227, reduced_force_x_2);
+        let t229 = fma(-0.013296641892764124, angular_acceleration_x, fma(-omega_y, t136, omega_x * t134));
+        let reduced_force_z_2 = fma(-0.14106512955956807, t159, fma(-0.7613599420768367, angular_acceleration_y, -t229));
+        let reduced_force_z_2 = fma(0.23954110582463117, t227, reduced_force_z_2);
+        let t230 = fma(0.14106512955956807, acceleration_y, fma(-omega_z, t142, omega_y * t146) + t151);
+        let t231 = fma(angular_acceleration_x, t152, fma(-0.013296641892764124, acceleration_z, t230));
+        let t232 = fma(angular_acceleration_z, t145, fma(angular_acceleration_y, t141, t231));
+        let reduced_moment_x_2 = fma(coupling_x0, t159, -fma(-0.01153987579044198, t133, t232));
+        let reduced_moment_x_2 = fma(coupling_x1, t227, reduced_moment_x_2);
+        let t233 = fma(-0.14106512955956807, acceleration_x, fma(-omega_x, t146, omega_z * t153) + t155);
+        let t234 = fma(angular_acceleration_x, t141, fma(0.7613599420768367, acceleration_z, t233));
+        let t235 = fma(angular_acceleration_z, t137, fma(angular_acceleration_y, t140, t234));
+        let reduced_moment_y_2 = fma(coupling_y0, t159, -fma(-0.19242619512316964, t133, t235));
+        let reduced_moment_y_2 = fma(coupling_y1, t227, reduced_moment_y_2);
+        let t236 = fma(-0.7613599420768367, acceleration_y, fma(0.013296641892764124, acceleration_x, t156));
+        let t237 = fma(angular_acceleration_y, t137, fma(angular_acceleration_x, t145, t236));
+        let t238 = fma(0.11303908576704362, t133, fma(angular_acceleration_z, t144, t237));
+        let reduced_moment_z_2 = fma(coupling_z1, t227, fma(coupling_z0, t159, -t238));
+        let t239 = fma(0.14106512955956807, angular_acceleration_x, fma(-omega_x, t135, omega_z * t136));
+        let t240 = fma(t159, 0.013296641892764124, fma(-0.7613599420768367, angular_acceleration_z, t239));
+        let t241 = fma(-0.003449144794252644, reduced_force_x_2, fma(t227, -0.055993206221893924, t240));
+        let t242 = fma(0.02353312234715631, reduced_force_x_2, reduced_force_z_2);
+        let t243 = 0.12702385080665668 * fma(-0.001997492847507307, t241, t242);
+        let t244 = -0.12577836002342027 * t241;
+        let t245 = 0.1369512748345644 * reduced_force_x_2;
+        let t246 = fma(-t90, t243, fma(t89, t244, fma(t80, t245, reduced_moment_x_2)));
+        let t247 = fma(t98, t243, fma(t97, t244, fma(-t81, t245, reduced_moment_y_2)));
+        let t248 = fma(-t103, t246, t108 * t247);
+        let t249 = fma(t92, t243, fma(-t91, t244, fma(t82, t245, reduced_moment_z_2)));
+        let angular_acceleration_z_2 = t113 * fma(-t109, t248, t110 * fma(-t111, t246, t108 * t249));
+        let angular_acceleration_y_2 = fma(-t124, angular_acceleration_z_2, t123 * t248);
+        let angular_acceleration_x_2 = fma(-t126, angular_acceleration_y_2, fma(-t127, angular_acceleration_z_2, t125 * t246));
+        let acceleration_z_2 = fma(-t99, angular_acceleration_y_2, fma(-t93, angular_acceleration_z_2, t243));
+        let acceleration_z_2 = fma(-t104, angular_acceleration_x_2, acceleration_z_2);
+        let acceleration_y_2 = fma(-t100, angular_acceleration_y_2, fma(-t94, angular_acceleration_z_2, t244));
+        let acceleration_y_2 = fma(0.001997492847507307, acceleration_z_2, fma(-t105, angular_acceleration_x_2, acceleration_y_2));
+        let acceleration_x_2 = fma(-t101, angular_acceleration_y_2, fma(-t95, angular_acceleration_z_2, t245));
+        let acceleration_x_2 = fma(0.02353312234715631, acceleration_z_2, fma(-t106, angular_acceleration_x_2, acceleration_x_2));
         let acceleration_x_2 = fma(0.003449144794252644, acceleration_y_2, acceleration_x_2);
-        let t249 = fma(-0.013296641892764124, acceleration_y_2, fma(-0.7613599420768367, acceleration_x_2, t157));
-        let t250 = fma(coupling_x0, angular_acceleration_x_2, fma(-0.14106512955956807, acceleration_z_2, t249));
-        let t251 = fma(coupling_z0, angular_acceleration_z_2, fma(coupling_y0, angular_acceleration_y_2, t250));
-        let t252 = fma(0.055993206221893924, acceleration_y_2, fma(0.26899095817779994, acceleration_x_2, t225));
-        let t253 = fma(coupling_x1, angular_acceleration_x_2, fma(0.23954110582463117, acceleration_z_2, t252));
-        let t254 = fma(coupling_z1, angular_acceleration_z_2, fma(coupling_y1, angular_acceleration_y_2, t253));
-        let t255 = fma(0.19242619512316964, angular_acceleration_y, fma(0.01153987579044198, angular_acceleration_x, t160));
-        let t256 = fma(-0.11303908576704362, angular_acceleration_z, t255);
-        let t257 = fma(0.23954110582463117, angular_acceleration_y, fma(-omega_z, t161, omega_y * t162));
-        let reduced_force_x_3 = fma(-0.7613599420768367, t256, fma(0.055993206221893924, angular_acceleration_z, -t257));
-        let reduced_force_x_3 = fma(0.26899095817779994, t186, reduced_force_x_3);
-        let t258 = fma(0.055993206221893924, angular_acceleration_x, fma(-omega_y, t163, omega_x * t161));
-        let reduced_force_z_3 = fma(-0.14106512955956807, t256, fma(0.26899095817779994, angular_acceleration_y, -t258));
-        let reduced_force_z_3 = fma(0.23954110582463117, t186, reduced_force_z_3);
-        let t259 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t169, omega_y * t173) + t178);
-        let t260 = fma(angular_acceleration_x, t179, fma(0.055993206221893924, acceleration_z, t259));
-        let t261 = fma(angular_acceleration_z, t172, fma(angular_acceleration_y, t168, t260));
-        let reduced_moment_x_3 = fma(coupling_x0, t256, -fma(0.01153987579044198, t128, t261));
-        let reduced_moment_x_3 = fma(coupling_x1, t186, reduced_moment_x_3);
-        let t262 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t173, omega_z * t180) + t182);
-        let t263 = fma(angular_acceleration_x, t168, fma(-0.26899095817779994, acceleration_z, t262));
-        let t264 = fma(angular_acceleration_z, t164, fma(angular_acceleration_y, t167, t263));
-        let reduced_moment_y_3 = fma(coupling_y0, t256, -fma(0.19242619512316964, t128, t264));
-        let reduced_moment_y_3 = fma(coupling_y1, t186, reduced_moment_y_3);
-        let t265 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t183));
-        let t266 = fma(angular_acceleration_y, t164, fma(angular_acceleration_x, t172, t265));
-        let t267 = fma(-0.11303908576704362, t128, fma(angular_acceleration_z, t171, t266));
-        let reduced_moment_z_3 = fma(coupling_z1, t186, fma(coupling_z0, t256, -t267));
-        let t268 = fma(-0.23954110582463117, angular_acceleration_x, fma(-omega_x, t162, omega_z * t163));
-        let t269 = fma(0.013296641892764124, t256, fma(0.26899095817779994, angular_acceleration_z, t268));
-        let t270 = fma(-0.003449144794252644, reduced_force_x_3, fma(t186, -0.055993206221893924, t269));
-        let t271 = fma(0.02353312234715631, reduced_force_x_3, reduced_force_z_3);
-        let t272 = 0.12702385080665668 * fma(-0.001997492847507307, t270, t271);
-        let t273 = -0.12577836002342027 * t270;
-        let t274 = 0.1369512748345644 * reduced_force_x_3;
-        let t275 = fma(-t90, t272, fma(t89, t273, fma(t80, t274, reduced_moment_x_3)));
-        let t276 = fma(t98, t272, fma(t97, t273, fma(-t81, t274, reduced_moment_y_3)));
-        let t277 = fma(-t103, t275, t108 * t276);
-        let t278 = fma(t92, t272, fma(-t91, t273, fma(t82, t274, reduced_moment_z_3)));
-        let angular_acceleration_z_3 = t113 * fma(-t109, t277, t110 * fma(-t111, t275, t108 * t278));
-        let angular_acceleration_y_3 = t123 * fma(-t109, angular_acceleration_z_3, t277);
-        let t279 = fma(-t102, angular_acceleration_y_3, fma(-t96, angular_acceleration_z_3, t275));
-        let angular_acceleration_x_3 = t124 * t279;
-        let acceleration_z_3 = fma(-t99, angular_acceleration_y_3, fma(-t104, angular_acceleration_x_3, t272));
-        let acceleration_z_3 = fma(-t93, angular_acceleration_z_3, acceleration_z_3);
-        let acceleration_y_3 = fma(-t100, angular_acceleration_y_3, fma(-t105, angular_acceleration_x_3, t273));
-        let acceleration_y_3 = fma(0.001997492847507307, acceleration_z_3, fma(-t94, angular_acceleration_z_3, acceleration_y_3));
-        let acceleration_x_3 = fma(-t101, angular_acceleration_y_3, fma(-t106, angular_acceleration_x_3, t274));
-        let acceleration_x_3 = fma(0.02353312234715631, acceleration_z_3, fma(-t95, angular_acceleration_z_3, acceleration_x_3));
+        let t250 = fma(coupling_y0, angular_acceleration_y_2, fma(coupling_z0, angular_acceleration_z_2, t159));
+        let t251 = fma(-0.14106512955956807, acceleration_z_2, fma(coupling_x0, angular_acceleration_x_2, t250));
+        let t252 = fma(-0.7613599420768367, acceleration_x_2, fma(-0.013296641892764124, acceleration_y_2, t251));
+        let t253 = fma(coupling_y1, angular_acceleration_y_2, fma(coupling_z1, angular_acceleration_z_2, t227));
+        let t254 = fma(0.23954110582463117, acceleration_z_2, fma(coupling_x1, angular_acceleration_x_2, t253));
+        let t255 = fma(0.26899095817779994, acceleration_x_2, fma(0.055993206221893924, acceleration_y_2, t254));
+        let t256 = fma(0.19242619512316964, angular_acceleration_y, fma(0.01153987579044198, angular_acceleration_x, t162));
+        let t257 = fma(-0.11303908576704362, angular_acceleration_z, t256);
+        let t258 = fma(0.23954110582463117, angular_acceleration_y, fma(-omega_z, t163, omega_y * t164));
+        let reduced_force_x_3 = fma(-0.7613599420768367, t257, fma(0.055993206221893924, angular_acceleration_z, -t258));
+        let reduced_force_x_3 = fma(0.26899095817779994, t188, reduced_force_x_3);
+        let t259 = fma(0.055993206221893924, angular_acceleration_x, fma(-omega_y, t165, omega_x * t163));
+        let reduced_force_z_3 = fma(-0.14106512955956807, t257, fma(0.26899095817779994, angular_acceleration_y, -t259));
+        let reduced_force_z_3 = fma(0.23954110582463117, t188, reduced_force_z_3);
+        let t260 = fma(-0.23954110582463117, acceleration_y, fma(-omega_z, t171, omega_y * t175) + t180);
+        let t261 = fma(angular_acceleration_x, t181, fma(0.055993206221893924, acceleration_z, t260));
+        let t262 = fma(angular_acceleration_z, t174, fma(angular_acceleration_y, t170, t261));
+        let reduced_moment_x_3 = fma(coupling_x0, t257, -fma(0.01153987579044198, t130, t262));
+        let reduced_moment_x_3 = fma(coupling_x1, t188, reduced_moment_x_3);
+        let t263 = fma(0.23954110582463117, acceleration_x, fma(-omega_x, t175, omega_z * t182) + t184);
+        let t264 = fma(angular_acceleration_x, t170, fma(-0.26899095817779994, acceleration_z, t263));
+        let t265 = fma(angular_acceleration_z, t166, fma(angular_acceleration_y, t169, t264));
+        let reduced_moment_y_3 = fma(coupling_y0, t257, -fma(0.19242619512316964, t130, t265));
+        let reduced_moment_y_3 = fma(coupling_y1, t188, reduced_moment_y_3);
+        let t266 = fma(0.26899095817779994, acceleration_y, fma(-0.055993206221893924, acceleration_x, t185));
+        let t267 = fma(angular_acceleration_y, t166, fma(angular_acceleration_x, t174, t266));
+        let t268 = fma(-0.11303908576704362, t130, fma(angular_acceleration_z, t173, t267));
+        let reduced_moment_z_3 = fma(coupling_z1, t188, fma(coupling_z0, t257, -t268));
+        let t269 = fma(-0.23954110582463117, angular_acceleration_x, fma(-omega_x, t164, omega_z * t165));
+        let t270 = fma(0.013296641892764124, t257, fma(0.26899095817779994, angular_acceleration_z, t269));
+        let t271 = fma(-0.003449144794252644, reduced_force_x_3, fma(t188, -0.055993206221893924, t270));
+        let t272 = fma(0.02353312234715631, reduced_force_x_3, reduced_force_z_3);
+        let t273 = 0.12702385080665668 * fma(-0.001997492847507307, t271, t272);
+        let t274 = -0.12577836002342027 * t271;
+        let t275 = 0.1369512748345644 * reduced_force_x_3;
+        let t276 = fma(-t90, t273, fma(t89, t274, fma(t80, t275, reduced_moment_x_3)));
+        let t277 = fma(t98, t273, fma(t97, t274, fma(-t81, t275, reduced_moment_y_3)));
+        let t278 = fma(-t103, t276, t108 * t277);
+        let t279 = fma(t92, t273, fma(-t91, t274, fma(t82, t275, reduced_moment_z_3)));
+        let angular_acceleration_z_3 = t113 * fma(-t109, t278, t110 * fma(-t111, t276, t108 * t279));
+        let angular_acceleration_y_3 = fma(-t124, angular_acceleration_z_3, t123 * t278);
+        let angular_acceleration_x_3 = fma(-t126, angular_acceleration_y_3, fma(-t127, angular_acceleration_z_3, t125 * t276));
+        let acceleration_z_3 = fma(-t99, angular_acceleration_y_3, fma(-t93, angular_acceleration_z_3, t273));
+        let acceleration_z_3 = fma(-t104, angular_acceleration_x_3, acceleration_z_3);
+        let acceleration_y_3 = fma(-t100, angular_acceleration_y_3, fma(-t94, angular_acceleration_z_3, t274));
+        let acceleration_y_3 = fma(0.001997492847507307, acceleration_z_3, fma(-t105, angular_acceleration_x_3, acceleration_y_3));
+        let acceleration_x_3 = fma(-t101, angular_acceleration_y_3, fma(-t95, angular_acceleration_z_3, t275));
+        let acceleration_x_3 = fma(0.02353312234715631, acceleration_z_3, fma(-t106, angular_acceleration_x_3, acceleration_x_3));
         let acceleration_x_3 = fma(0.003449144794252644, acceleration_y_3, acceleration_x_3);
-        let t280 = fma(-0.013296641892764124, acceleration_y_3, fma(-0.7613599420768367, acceleration_x_3, t256));
-        let t281 = fma(coupling_x0, angular_acceleration_x_3, fma(-0.14106512955956807, acceleration_z_3, t280));
-        let t282 = fma(coupling_z0, angular_acceleration_z_3, fma(coupling_y0, angular_acceleration_y_3, t281));
-        let t283 = fma(0.055993206221893924, acceleration_y_3, fma(0.26899095817779994, acceleration_x_3, t186));
-        let t284 = fma(coupling_x1, angular_acceleration_x_3, fma(0.23954110582463117, acceleration_z_3, t283));
-        let t285 = fma(coupling_z1, angular_acceleration_z_3, fma(coupling_y1, angular_acceleration_y_3, t284));
+        let t280 = fma(coupling_y0, angular_acceleration_y_3, fma(coupling_z0, angular_acceleration_z_3, t257));
+        let t281 = fma(-0.14106512955956807, acceleration_z_3, fma(coupling_x0, angular_acceleration_x_3, t280));
+        let t282 = fma(-0.7613599420768367, acceleration_x_3, fma(-0.013296641892764124, acceleration_y_3, t281));
+        let t283 = fma(coupling_y1, angular_acceleration_y_3, fma(coupling_z1, angular_acceleration_z_3, t188));
+        let t284 = fma(0.23954110582463117, acceleration_z_3, fma(coupling_x1, angular_acceleration_x_3, t283));
+        let t285 = fma(0.26899095817779994, acceleration_x_3, fma(0.055993206221893924, acceleration_y_3, t284));
         let reduced_force_x_4 = fma(0.28213025911913614, omega_y, omega_z * -0.02659328378552825);
-        let reduced_force_x_4 = fma(0.26899095817779994, t197, reduced_force_x_4 - 0.3121716697138009);
+        let reduced_force_x_4 = fma(0.26899095817779994, t199, reduced_force_x_4 - 0.3121716697138009);
         let reduced_force_y_2 = fma(1.5227198841536733, omega_z, omega_x * -0.28213025911913614);
-        let reduced_force_y_2 = fma(0.055993206221893924, t197, reduced_force_y_2 - 0.005451869308921099);
+        let reduced_force_y_2 = fma(0.055993206221893924, t199, reduced_force_y_2 - 0.005451869308921099);
         let reduced_force_z_4 = fma(0.02659328378552825, omega_x, omega_y * -1.5227198841536733);
-        let reduced_force_z_4 = fma(0.23954110582463117, t197, reduced_force_z_4 - 0.057839314362771975);
-        let reduced_moment_x_4 = fma(coupling_x1, t197, -fma(coupling_x0, -0.410018510905971, t190));
-        let reduced_moment_y_4 = fma(coupling_y1, t197, -fma(coupling_y0, -0.410018510905971, t193));
-        let reduced_moment_z_4 = fma(coupling_z1, t197, -fma(coupling_z0, -0.410018510905971, t196));
+        let reduced_force_z_4 = fma(0.23954110582463117, t199, reduced_force_z_4 - 0.057839314362771975);
+        let reduced_moment_x_4 = fma(coupling_x1, t199, -fma(coupling_x0, -0.410018510905971, t192));
+        let reduced_moment_y_4 = fma(coupling_y1, t199, -fma(coupling_y0, -0.410018510905971, t195));
+        let reduced_moment_z_4 = fma(coupling_z1, t199, -fma(coupling_z0, -0.410018510905971, t198));
         let t286 = fma(0.003449144794252644, reduced_force_x_4, reduced_force_y_2);
         let t287 = fma(0.02353312234715631, reduced_force_x_4, reduced_force_z_4);
         let t288 = 0.12702385080665668 * fma(0.001997492847507307, t286, t287);
@@ -1617,320 +1624,309 @@ const _: () = {
         let t293 = fma(-t103, t291, t108 * t292);
         let t294 = fma(t92, t288, fma(-t91, t289, fma(t82, t290, reduced_moment_z_4)));
         let angular_acceleration_z_4 = t113 * fma(-t109, t293, t110 * fma(-t111, t291, t108 * t294));
-        let angular_acceleration_y_4 = t123 * fma(-t109, angular_acceleration_z_4, t293);
-        let t295 = fma(-t102, angular_acceleration_y_4, fma(-t96, angular_acceleration_z_4, t291));
-        let angular_acceleration_x_4 = t124 * t295;
-        let acceleration_z_4 = fma(-t99, angular_acceleration_y_4, fma(-t104, angular_acceleration_x_4, t288));
-        let acceleration_z_4 = fma(-t93, angular_acceleration_z_4, acceleration_z_4);
-        let acceleration_y_4 = fma(-t100, angular_acceleration_y_4, fma(-t105, angular_acceleration_x_4, t289));
-        let acceleration_y_4 = fma(0.001997492847507307, acceleration_z_4, fma(-t94, angular_acceleration_z_4, acceleration_y_4));
-        let acceleration_x_4 = fma(-t101, angular_acceleration_y_4, fma(-t106, angular_acceleration_x_4, t290));
-        let acceleration_x_4 = fma(0.02353312234715631, acceleration_z_4, fma(-t95, angular_acceleration_z_4, acceleration_x_4));
+        let angular_acceleration_y_4 = fma(-t124, angular_acceleration_z_4, t123 * t293);
+        let angular_acceleration_x_4 = fma(-t126, angular_acceleration_y_4, fma(-t127, angular_acceleration_z_4, t125 * t291));
+        let acceleration_z_4 = fma(-t99, angular_acceleration_y_4, fma(-t93, angular_acceleration_z_4, t288));
+        let acceleration_z_4 = fma(-t104, angular_acceleration_x_4, acceleration_z_4);
+        let acceleration_y_4 = fma(-t100, angular_acceleration_y_4, fma(-t94, angular_acceleration_z_4, t289));
+        let acceleration_y_4 = fma(0.001997492847507307, acceleration_z_4, fma(-t105, angular_acceleration_x_4, acceleration_y_4));
+        let acceleration_x_4 = fma(-t101, angular_acceleration_y_4, fma(-t95, angular_acceleration_z_4, t290));
+        let acceleration_x_4 = fma(0.02353312234715631, acceleration_z_4, fma(-t106, angular_acceleration_x_4, acceleration_x_4));
         let acceleration_x_4 = fma(0.003449144794252644, acceleration_y_4, acceleration_x_4);
-        let t296 = fma(0.7613599420768367, acceleration_x_4, -0.410018510905971);
-        let t297 = fma(0.14106512955956807, acceleration_z_4, fma(0.013296641892764124, acceleration_y_4, t296));
-        let t298 = fma(-coupling_y0, angular_acceleration_y_4, fma(-coupling_x0, angular_acceleration_x_4, t297));
-        let t299 = fma(0.055993206221893924, acceleration_y_4, fma(0.26899095817779994, acceleration_x_4, t197));
-        let t300 = fma(coupling_x1, angular_acceleration_x_4, fma(0.23954110582463117, acceleration_z_4, t299));
-        let t301 = fma(coupling_z1, angular_acceleration_z_4, fma(coupling_y1, angular_acceleration_y_4, t300));
+        let t295 = fma(-coupling_z0, angular_acceleration_z_4, -0.410018510905971);
+        let t296 = fma(-coupling_x0, angular_acceleration_x_4, fma(-coupling_y0, angular_acceleration_y_4, t295));
+        let t297 = fma(0.013296641892764124, acceleration_y_4, fma(0.14106512955956807, acceleration_z_4, t296));
+        let t298 = fma(coupling_y1, angular_acceleration_y_4, fma(coupling_z1, angular_acceleration_z_4, t199));
+        let t299 = fma(0.23954110582463117, acceleration_z_4, fma(coupling_x1, angular_acceleration_x_4, t298));
+        let t300 = fma(0.26899095817779994, acceleration_x_4, fma(0.055993206221893924, acceleration_y_4, t299));
         let reduced_force_x_5 = fma(-0.47908221164926235, omega_y, omega_z * 0.11198641244378785);
-        let reduced_force_x_5 = fma(-0.7613599420768367, t208, reduced_force_x_5) + 0.1908098074325642;
+        let reduced_force_x_5 = fma(-0.7613599420768367, t210, reduced_force_x_5) + 0.1908098074325642;
         let reduced_force_y_3 = fma(-0.5379819163555999, omega_z, omega_x * 0.47908221164926235);
-        let reduced_force_y_3 = fma(-0.013296641892764124, t208, reduced_force_y_3) + 0.03971900382491444;
+        let reduced_force_y_3 = fma(-0.013296641892764124, t210, reduced_force_y_3) + 0.03971900382491444;
         let reduced_force_z_5 = fma(-0.11198641244378785, omega_x, omega_y * 0.5379819163555999);
-        let reduced_force_z_5 = fma(-0.14106512955956807, t208, reduced_force_z_5) + 0.16991943738261153;
-        let reduced_moment_x_5 = fma(0.7093539824726789, coupling_x1, fma(coupling_x0, t208, -t201));
-        let reduced_moment_y_5 = fma(0.7093539824726789, coupling_y1, fma(coupling_y0, t208, -t204));
-        let reduced_moment_z_5 = fma(0.7093539824726789, coupling_z1, fma(coupling_z0, t208, -t207));
-        let t302 = fma(0.003449144794252644, reduced_force_x_5, reduced_force_y_3);
-        let t303 = fma(0.02353312234715631, reduced_force_x_5, reduced_force_z_5);
-        let t304 = 0.12702385080665668 * fma(0.001997492847507307, t302, t303);
-        let t305 = 0.12577836002342027 * t302;
-        let t306 = 0.1369512748345644 * reduced_force_x_5;
-        let t307 = fma(-t90, t304, fma(t89, t305, fma(t80, t306, reduced_moment_x_5)));
-        let t308 = fma(t98, t304, fma(t97, t305, fma(-t81, t306, reduced_moment_y_5)));
-        let t309 = fma(-t103, t307, t108 * t308);
-        let t310 = fma(t92, t304, fma(-t91, t305, fma(t82, t306, reduced_moment_z_5)));
-        let angular_acceleration_z_5 = t113 * fma(-t109, t309, t110 * fma(-t111, t307, t108 * t310));
-        let angular_acceleration_y_5 = t123 * fma(-t109, angular_acceleration_z_5, t309);
-        let t311 = fma(-t102, angular_acceleration_y_5, fma(-t96, angular_acceleration_z_5, t307));
-        let angular_acceleration_x_5 = t124 * t311;
-        let acceleration_z_5 = fma(-t99, angular_acceleration_y_5, fma(-t104, angular_acceleration_x_5, t304));
-        let acceleration_z_5 = fma(-t93, angular_acceleration_z_5, acceleration_z_5);
-        let acceleration_y_5 = fma(-t100, angular_acceleration_y_5, fma(-t105, angular_acceleration_x_5, t305));
-        let acceleration_y_5 = fma(0.001997492847507307, acceleration_z_5, fma(-t94, angular_acceleration_z_5, acceleration_y_5));
-        let acceleration_x_5 = fma(-t101, angular_acceleration_y_5, fma(-t106, angular_acceleration_x_5, t306));
-        let acceleration_x_5 = fma(0.02353312234715631, acceleration_z_5, fma(-t95, angular_acceleration_z_5, acceleration_x_5));
+        let reduced_force_z_5 = fma(-0.14106512955956807, t210, reduced_force_z_5) + 0.16991943738261153;
+        let reduced_moment_x_5 = fma(0.7093539824726789, coupling_x1, fma(coupling_x0, t210, -t203));
+        let reduced_moment_y_5 = fma(0.7093539824726789, coupling_y1, fma(coupling_y0, t210, -t206));
+        let reduced_moment_z_5 = fma(0.7093539824726789, coupling_z1, fma(coupling_z0, t210, -t209));
+        let t301 = fma(0.003449144794252644, reduced_force_x_5, reduced_force_y_3);
+        let t302 = fma(0.02353312234715631, reduced_force_x_5, reduced_force_z_5);
+        let t303 = 0.12702385080665668 * fma(0.001997492847507307, t301, t302);
+        let t304 = 0.12577836002342027 * t301;
+        let t305 = 0.1369512748345644 * reduced_force_x_5;
+        let t306 = fma(-t90, t303, fma(t89, t304, fma(t80, t305, reduced_moment_x_5)));
+        let t307 = fma(t98, t303, fma(t97, t304, fma(-t81, t305, reduced_moment_y_5)));
+        let t308 = fma(-t103, t306, t108 * t307);
+        let t309 = fma(t92, t303, fma(-t91, t304, fma(t82, t305, reduced_moment_z_5)));
+        let angular_acceleration_z_5 = t113 * fma(-t109, t308, t110 * fma(-t111, t306, t108 * t309));
+        let angular_acceleration_y_5 = fma(-t124, angular_acceleration_z_5, t123 * t308);
+        let angular_acceleration_x_5 = fma(-t126, angular_acceleration_y_5, fma(-t127, angular_acceleration_z_5, t125 * t306));
+        let acceleration_z_5 = fma(-t99, angular_acceleration_y_5, fma(-t93, angular_acceleration_z_5, t303));
+        let acceleration_z_5 = fma(-t104, angular_acceleration_x_5, acceleration_z_5);
+        let acceleration_y_5 = fma(-t100, angular_acceleration_y_5, fma(-t94, angular_acceleration_z_5, t304));
+        let acceleration_y_5 = fma(0.001997492847507307, acceleration_z_5, fma(-t105, angular_acceleration_x_5, acceleration_y_5));
+        let acceleration_x_5 = fma(-t101, angular_acceleration_y_5, fma(-t95, angular_acceleration_z_5, t305));
+        let acceleration_x_5 = fma(0.02353312234715631, acceleration_z_5, fma(-t106, angular_acceleration_x_5, acceleration_x_5));
         let acceleration_x_5 = fma(0.003449144794252644, acceleration_y_5, acceleration_x_5);
-        let t312 = fma(-0.013296641892764124, acceleration_y_5, fma(-0.7613599420768367, acceleration_x_5, t208));
-        let t313 = fma(coupling_x0, angular_acceleration_x_5, fma(-0.14106512955956807, acceleration_z_5, t312));
-        let t314 = fma(coupling_z0, angular_acceleration_z_5, fma(coupling_y0, angular_acceleration_y_5, t313));
-        let t315 = fma(-0.26899095817779994, acceleration_x_5, -0.7093539824726789);
-        let t316 = fma(-0.23954110582463117, acceleration_z_5, fma(-0.055993206221893924, acceleration_y_5, t315));
-        let t317 = fma(-coupling_y1, angular_acceleration_y_5, fma(-coupling_x1, angular_acceleration_x_5, t316));
-        let reduced_force_y_4 = fma(0.055993206221893924, t215, fma(-0.013296641892764124, t214, t38 + t40));
-        let reduced_force_z_6 = fma(0.23954110582463117, t215, fma(-0.14106512955956807, t214, t35 - t36));
-        let reduced_moment_x_6 = fma(coupling_x1, t215, fma(coupling_x0, t214, -fma(2.0, t52, t211 - t212)));
+        let t310 = fma(coupling_y0, angular_acceleration_y_5, fma(coupling_z0, angular_acceleration_z_5, t210));
+        let t311 = fma(-0.14106512955956807, acceleration_z_5, fma(coupling_x0, angular_acceleration_x_5, t310));
+        let t312 = fma(-0.7613599420768367, acceleration_x_5, fma(-0.013296641892764124, acceleration_y_5, t311));
+        let t313 = fma(-coupling_z1, angular_acceleration_z_5, -0.7093539824726789);
+        let t314 = fma(-coupling_x1, angular_acceleration_x_5, fma(-coupling_y1, angular_acceleration_y_5, t313));
+        let t315 = fma(-0.055993206221893924, acceleration_y_5, fma(-0.23954110582463117, acceleration_z_5, t314));
+        let reduced_force_y_4 = fma(0.055993206221893924, t217, fma(-0.013296641892764124, t216, t38 + t40));
+        let reduced_force_z_6 = fma(0.23954110582463117, t217, fma(-0.14106512955956807, t216, t35 - t36));
+        let reduced_moment_x_6 = fma(coupling_x1, t217, fma(coupling_x0, t216, -fma(2.0, t52, t213 - t214)));
         let reduced_moment_y_6 = rate_xy - fma(omega_z, inertia_xx, -(t49 + angular_momentum_z));
-        let reduced_moment_y_6 = fma(coupling_y1, t215, fma(coupling_y0, t214, reduced_moment_y_6));
+        let reduced_moment_y_6 = fma(coupling_y1, t217, fma(coupling_y0, t216, reduced_moment_y_6));
         let reduced_moment_z_6 = rate_xz - fma(-omega_y, inertia_xx, t47 + angular_momentum_y);
-        let reduced_moment_z_6 = fma(coupling_z1, t215, fma(coupling_z0, t214, reduced_moment_z_6));
-        let t318 = fma(t215, -0.26899095817779994, fma(t214, 0.7613599420768367, t209 + t210));
-        let t319 = fma(-0.003449144794252644, t318, reduced_force_y_4);
-        let t320 = fma(0.001997492847507307, t319, fma(-0.02353312234715631, t318, reduced_force_z_6));
-        let t321 = 0.12702385080665668 * t320;
-        let t322 = 0.12577836002342027 * t319;
-        let t323 = -0.1369512748345644 * t318;
-        let t324 = fma(-t90, t321, fma(t89, t322, fma(t80, t323, reduced_moment_x_6)));
-        let t325 = fma(t98, t321, fma(t97, t322, fma(-t81, t323, reduced_moment_y_6)));
-        let t326 = fma(-t103, t324, t108 * t325);
-        let t327 = fma(t92, t321, fma(-t91, t322, fma(t82, t323, reduced_moment_z_6)));
-        let angular_acceleration_z_6 = t113 * fma(-t109, t326, t110 * fma(-t111, t324, t108 * t327));
-        let angular_acceleration_y_6 = t123 * fma(-t109, angular_acceleration_z_6, t326);
-        let t328 = fma(-t102, angular_acceleration_y_6, fma(-t96, angular_acceleration_z_6, t324));
-        let angular_acceleration_x_6 = t124 * t328;
-        let acceleration_z_6 = fma(-t99, angular_acceleration_y_6, fma(-t104, angular_acceleration_x_6, t321));
-        let acceleration_z_6 = fma(-t93, angular_acceleration_z_6, acceleration_z_6);
-        let acceleration_y_6 = fma(-t100, angular_acceleration_y_6, fma(-t105, angular_acceleration_x_6, t322));
-        let acceleration_y_6 = fma(0.001997492847507307, acceleration_z_6, fma(-t94, angular_acceleration_z_6, acceleration_y_6));
-        let acceleration_x_6 = fma(-t101, angular_acceleration_y_6, fma(-t106, angular_acceleration_x_6, t323));
-        let acceleration_x_6 = fma(0.02353312234715631, acceleration_z_6, fma(-t95, angular_acceleration_z_6, acceleration_x_6));
+        let reduced_moment_z_6 = fma(coupling_z1, t217, fma(coupling_z0, t216, reduced_moment_z_6));
+        let t316 = fma(t217, -0.26899095817779994, fma(t216, 0.7613599420768367, t211 + t212));
+        let t317 = fma(-0.003449144794252644, t316, reduced_force_y_4);
+        let t318 = fma(0.001997492847507307, t317, fma(-0.02353312234715631, t316, reduced_force_z_6));
+        let t319 = 0.12702385080665668 * t318;
+        let t320 = 0.12577836002342027 * t317;
+        let t321 = -0.1369512748345644 * t316;
+        let t322 = fma(-t90, t319, fma(t89, t320, fma(t80, t321, reduced_moment_x_6)));
+        let t323 = fma(t98, t319, fma(t97, t320, fma(-t81, t321, reduced_moment_y_6)));
+        let t324 = fma(-t103, t322, t108 * t323);
+        let t325 = fma(t92, t319, fma(-t91, t320, fma(t82, t321, reduced_moment_z_6)));
+        let angular_acceleration_z_6 = t113 * fma(-t109, t324, t110 * fma(-t111, t322, t108 * t325));
+        let angular_acceleration_y_6 = fma(-t124, angular_acceleration_z_6, t123 * t324);
+        let angular_acceleration_x_6 = fma(-t126, angular_acceleration_y_6, fma(-t127, angular_acceleration_z_6, t125 * t322));
+        let acceleration_z_6 = fma(-t99, angular_acceleration_y_6, fma(-t93, angular_acceleration_z_6, t319));
+        let acceleration_z_6 = fma(-t104, angular_acceleration_x_6, acceleration_z_6);
+        let acceleration_y_6 = fma(-t100, angular_acceleration_y_6, fma(-t94, angular_acceleration_z_6, t320));
+        let acceleration_y_6 = fma(0.001997492847507307, acceleration_z_6, fma(-t105, angular_acceleration_x_6, acceleration_y_6));
+        let acceleration_x_6 = fma(-t101, angular_acceleration_y_6, fma(-t95, angular_acceleration_z_6, t321));
+        let acceleration_x_6 = fma(0.02353312234715631, acceleration_z_6, fma(-t106, angular_acceleration_x_6, acceleration_x_6));
         let acceleration_x_6 = fma(0.003449144794252644, acceleration_y_6, acceleration_x_6);
-        let t329 = fma(-0.013296641892764124, acceleration_y_6, fma(-0.7613599420768367, acceleration_x_6, t214));
-        let t330 = fma(coupling_x0, angular_acceleration_x_6, fma(-0.14106512955956807, acceleration_z_6, t329));
-        let t331 = fma(coupling_z0, angular_acceleration_z_6, fma(coupling_y0, angular_acceleration_y_6, t330));
-        let t332 = fma(0.055993206221893924, acceleration_y_6, fma(0.26899095817779994, acceleration_x_6, t215));
-        let t333 = fma(coupling_x1, angular_acceleration_x_6, fma(0.23954110582463117, acceleration_z_6, t332));
-        let t334 = fma(coupling_z1, angular_acceleration_z_6, fma(coupling_y1, angular_acceleration_y_6, t333));
-        let reduced_force_x_6 = fma(0.26899095817779994, t220, fma(-0.7613599420768367, t219, t39 - t40));
-        let reduced_force_z_7 = fma(0.23954110582463117, t220, fma(-0.14106512955956807, t219, t42 + t44));
+        let t326 = fma(coupling_y0, angular_acceleration_y_6, fma(coupling_z0, angular_acceleration_z_6, t216));
+        let t327 = fma(-0.14106512955956807, acceleration_z_6, fma(coupling_x0, angular_acceleration_x_6, t326));
+        let t328 = fma(-0.7613599420768367, acceleration_x_6, fma(-0.013296641892764124, acceleration_y_6, t327));
+        let t329 = fma(coupling_y1, angular_acceleration_y_6, fma(coupling_z1, angular_acceleration_z_6, t217));
+        let t330 = fma(0.23954110582463117, acceleration_z_6, fma(coupling_x1, angular_acceleration_x_6, t329));
+        let t331 = fma(0.26899095817779994, acceleration_x_6, fma(0.055993206221893924, acceleration_y_6, t330));
+        let reduced_force_x_6 = fma(0.26899095817779994, t222, fma(-0.7613599420768367, t221, t39 - t40));
+        let reduced_force_z_7 = fma(0.23954110582463117, t222, fma(-0.14106512955956807, t221, t42 + t44));
         let reduced_moment_x_7 = rate_xy - fma(-omega_z, inertia_yy, t50 + angular_momentum_z);
-        let reduced_moment_x_7 = fma(coupling_x1, t220, fma(coupling_x0, t219, reduced_moment_x_7));
-        let reduced_moment_y_7 = fma(coupling_y1, t220, fma(coupling_y0, t219, -fma(2.0, t56, t212 - t217)));
+        let reduced_moment_x_7 = fma(coupling_x1, t222, fma(coupling_x0, t221, reduced_moment_x_7));
+        let reduced_moment_y_7 = fma(coupling_y1, t222, fma(coupling_y0, t221, -fma(2.0, t56, t214 - t219)));
         let reduced_moment_z_7 = rate_yz - fma(omega_x, inertia_yy, -(t45 + angular_momentum_x));
-        let reduced_moment_z_7 = fma(coupling_z1, t220, fma(coupling_z0, t219, reduced_moment_z_7));
-        let t335 = fma(t220, -0.055993206221893924, fma(t219, 0.013296641892764124, t210 + t216));
-        let t336 = fma(-0.003449144794252644, reduced_force_x_6, t335);
-        let t337 = fma(0.02353312234715631, reduced_force_x_6, reduced_force_z_7);
-        let t338 = 0.12702385080665668 * fma(-0.001997492847507307, t336, t337);
-        let t339 = -0.12577836002342027 * t336;
-        let t340 = 0.1369512748345644 * reduced_force_x_6;
-        let t341 = fma(-t90, t338, fma(t89, t339, fma(t80, t340, reduced_moment_x_7)));
-        let t342 = fma(t98, t338, fma(t97, t339, fma(-t81, t340, reduced_moment_y_7)));
-        let t343 = fma(-t103, t341, t108 * t342);
-        let t344 = fma(t92, t338, fma(-t91, t339, fma(t82, t340, reduced_moment_z_7)));
-        let angular_acceleration_z_7 = t113 * fma(-t109, t343, t110 * fma(-t111, t341, t108 * t344));
-        let angular_acceleration_y_7 = t123 * fma(-t109, angular_acceleration_z_7, t343);
-        let t345 = fma(-t102, angular_acceleration_y_7, fma(-t96, angular_acceleration_z_7, t341));
-        let angular_acceleration_x_7 = t124 * t345;
-        let acceleration_z_7 = fma(-t99, angular_acceleration_y_7, fma(-t104, angular_acceleration_x_7, t338));
-        let acceleration_z_7 = fma(-t93, angular_acceleration_z_7, acceleration_z_7);
-        let acceleration_y_7 = fma(-t100, angular_acceleration_y_7, fma(-t105, angular_acceleration_x_7, t339));
-        let acceleration_y_7 = fma(0.001997492847507307, acceleration_z_7, fma(-t94, angular_acceleration_z_7, acceleration_y_7));
-        let acceleration_x_7 = fma(-t101, angular_acceleration_y_7, fma(-t106, angular_acceleration_x_7, t340));
-        let acceleration_x_7 = fma(0.02353312234715631, acceleration_z_7, fma(-t95, angular_acceleration_z_7, acceleration_x_7));
+        let reduced_moment_z_7 = fma(coupling_z1, t222, fma(coupling_z0, t221, reduced_moment_z_7));
+        let t332 = fma(t222, -0.055993206221893924, fma(t221, 0.013296641892764124, t212 + t218));
+        let t333 = fma(-0.003449144794252644, reduced_force_x_6, t332);
+        let t334 = fma(0.02353312234715631, reduced_force_x_6, reduced_force_z_7);
+        let t335 = 0.12702385080665668 * fma(-0.001997492847507307, t333, t334);
+        let t336 = -0.12577836002342027 * t333;
+        let t337 = 0.1369512748345644 * reduced_force_x_6;
+        let t338 = fma(-t90, t335, fma(t89, t336, fma(t80, t337, reduced_moment_x_7)));
+        let t339 = fma(t98, t335, fma(t97, t336, fma(-t81, t337, reduced_moment_y_7)));
+        let t340 = fma(-t103, t338, t108 * t339);
+        let t341 = fma(t92, t335, fma(-t91, t336, fma(t82, t337, reduced_moment_z_7)));
+        let angular_acceleration_z_7 = t113 * fma(-t109, t340, t110 * fma(-t111, t338, t108 * t341));
+        let angular_acceleration_y_7 = fma(-t124, angular_acceleration_z_7, t123 * t340);
+        let angular_acceleration_x_7 = fma(-t126, angular_acceleration_y_7, fma(-t127, angular_acceleration_z_7, t125 * t338));
+        let acceleration_z_7 = fma(-t99, angular_acceleration_y_7, fma(-t93, angular_acceleration_z_7, t335));
+        let acceleration_z_7 = fma(-t104, angular_acceleration_x_7, acceleration_z_7);
+        let acceleration_y_7 = fma(-t100, angular_acceleration_y_7, fma(-t94, angular_acceleration_z_7, t336));
+        let acceleration_y_7 = fma(0.001997492847507307, acceleration_z_7, fma(-t105, angular_acceleration_x_7, acceleration_y_7));
+        let acceleration_x_7 = fma(-t101, angular_acceleration_y_7, fma(-t95, angular_acceleration_z_7, t337));
+        let acceleration_x_7 = fma(0.02353312234715631, acceleration_z_7, fma(-t106, angular_acceleration_x_7, acceleration_x_7));
         let acceleration_x_7 = fma(0.003449144794252644, acceleration_y_7, acceleration_x_7);
-        let t346 = fma(-0.013296641892764124, acceleration_y_7, fma(-0.7613599420768367, acceleration_x_7, t219));
-        let t347 = fma(coupling_x0, angular_acceleration_x_7, fma(-0.14106512955956807, acceleration_z_7, t346));
-        let t348 = fma(coupling_z0, angular_acceleration_z_7, fma(coupling_y0, angular_acceleration_y_7, t347));
-        let t349 = fma(0.055993206221893924, acceleration_y_7, fma(0.26899095817779994, acceleration_x_7, t220));
-        let t350 = fma(coupling_x1, angular_acceleration_x_7, fma(0.23954110582463117, acceleration_z_7, t349));
-        let t351 = fma(coupling_z1, angular_acceleration_z_7, fma(coupling_y1, angular_acceleration_y_7, t350));
-        let reduced_force_x_7 = fma(0.26899095817779994, t223, fma(-0.7613599420768367, t222, t34 + t36));
-        let reduced_force_y_5 = fma(0.055993206221893924, t223, fma(-0.013296641892764124, t222, t43 - t44));
+        let t342 = fma(coupling_y0, angular_acceleration_y_7, fma(coupling_z0, angular_acceleration_z_7, t221));
+        let t343 = fma(-0.14106512955956807, acceleration_z_7, fma(coupling_x0, angular_acceleration_x_7, t342));
+        let t344 = fma(-0.7613599420768367, acceleration_x_7, fma(-0.013296641892764124, acceleration_y_7, t343));
+        let t345 = fma(coupling_y1, angular_acceleration_y_7, fma(coupling_z1, angular_acceleration_z_7, t222));
+        let t346 = fma(0.23954110582463117, acceleration_z_7, fma(coupling_x1, angular_acceleration_x_7, t345));
+        let t347 = fma(0.26899095817779994, acceleration_x_7, fma(0.055993206221893924, acceleration_y_7, t346));
+        let reduced_force_x_7 = fma(0.26899095817779994, t225, fma(-0.7613599420768367, t224, t34 + t36));
+        let reduced_force_y_5 = fma(0.055993206221893924, t225, fma(-0.013296641892764124, t224, t43 - t44));
         let reduced_moment_x_8 = rate_xz - fma(omega_y, inertia_zz, -(t48 + angular_momentum_y));
-        let reduced_moment_x_8 = fma(coupling_x1, t223, fma(coupling_x0, t222, reduced_moment_x_8));
+        let reduced_moment_x_8 = fma(coupling_x1, t225, fma(coupling_x0, t224, reduced_moment_x_8));
         let reduced_moment_y_8 = rate_yz - fma(-omega_x, inertia_zz, t46 + angular_momentum_x);
-        let reduced_moment_y_8 = fma(coupling_y1, t223, fma(coupling_y0, t222, reduced_moment_y_8));
-        let reduced_moment_z_8 = fma(coupling_z1, t223, fma(coupling_z0, t222, -fma(2.0, t60, t217 - t211)));
-        let t352 = fma(0.003449144794252644, reduced_force_x_7, reduced_force_y_5);
-        let t353 = fma(t223, -0.23954110582463117, fma(t222, 0.14106512955956807, t209 + t216));
-        let t354 = fma(-0.001997492847507307, t352, fma(-0.02353312234715631, reduced_force_x_7, t353));
-        let t355 = -0.12702385080665668 * t354;
-        let t356 = 0.12577836002342027 * t352;
-        let t357 = 0.1369512748345644 * reduced_force_x_7;
-        let t358 = fma(-t90, t355, fma(t89, t356, fma(t80, t357, reduced_moment_x_8)));
-        let t359 = fma(t98, t355, fma(t97, t356, fma(-t81, t357, reduced_moment_y_8)));
-        let t360 = fma(-t103, t358, t108 * t359);
-        let t361 = fma(t92, t355, fma(-t91, t356, fma(t82, t357, reduced_moment_z_8)));
-        let angular_acceleration_z_8 = t113 * fma(-t109, t360, t110 * fma(-t111, t358, t108 * t361));
-        let angular_acceleration_y_8 = t123 * fma(-t109, angular_acceleration_z_8, t360);
-        let t362 = fma(-t102, angular_acceleration_y_8, fma(-t96, angular_acceleration_z_8, t358));
-        let angular_acceleration_x_8 = t124 * t362;
-        let acceleration_z_8 = fma(-t99, angular_acceleration_y_8, fma(-t104, angular_acceleration_x_8, t355));
-        let acceleration_z_8 = fma(-t93, angular_acceleration_z_8, acceleration_z_8);
-        let acceleration_y_8 = fma(-t100, angular_acceleration_y_8, fma(-t105, angular_acceleration_x_8, t356));
-        let acceleration_y_8 = fma(0.001997492847507307, acceleration_z_8, fma(-t94, angular_acceleration_z_8, acceleration_y_8));
-        let acceleration_x_8 = fma(-t101, angular_acceleration_y_8, fma(-t106, angular_acceleration_x_8, t357));
-        let acceleration_x_8 = fma(0.02353312234715631, acceleration_z_8, fma(-t95, angular_acceleration_z_8, acceleration_x_8));
+        let reduced_moment_y_8 = fma(coupling_y1, t225, fma(coupling_y0, t224, reduced_moment_y_8));
+        let reduced_moment_z_8 = fma(coupling_z1, t225, fma(coupling_z0, t224, -fma(2.0, t60, t219 - t213)));
+        let t348 = fma(0.003449144794252644, reduced_force_x_7, reduced_force_y_5);
+        let t349 = fma(t225, -0.23954110582463117, fma(t224, 0.14106512955956807, t211 + t218));
+        let t350 = fma(-0.001997492847507307, t348, fma(-0.02353312234715631, reduced_force_x_7, t349));
+        let t351 = -0.12702385080665668 * t350;
+        let t352 = 0.12577836002342027 * t348;
+        let t353 = 0.1369512748345644 * reduced_force_x_7;
+        let t354 = fma(-t90, t351, fma(t89, t352, fma(t80, t353, reduced_moment_x_8)));
+        let t355 = fma(t98, t351, fma(t97, t352, fma(-t81, t353, reduced_moment_y_8)));
+        let t356 = fma(-t103, t354, t108 * t355);
+        let t357 = fma(t92, t351, fma(-t91, t352, fma(t82, t353, reduced_moment_z_8)));
+        let angular_acceleration_z_8 = t113 * fma(-t109, t356, t110 * fma(-t111, t354, t108 * t357));
+        let angular_acceleration_y_8 = fma(-t124, angular_acceleration_z_8, t123 * t356);
+        let angular_acceleration_x_8 = fma(-t126, angular_acceleration_y_8, fma(-t127, angular_acceleration_z_8, t125 * t354));
+        let acceleration_z_8 = fma(-t99, angular_acceleration_y_8, fma(-t93, angular_acceleration_z_8, t351));
+        let acceleration_z_8 = fma(-t104, angular_acceleration_x_8, acceleration_z_8);
+        let acceleration_y_8 = fma(-t100, angular_acceleration_y_8, fma(-t94, angular_acceleration_z_8, t352));
+        let acceleration_y_8 = fma(0.001997492847507307, acceleration_z_8, fma(-t105, angular_acceleration_x_8, acceleration_y_8));
+        let acceleration_x_8 = fma(-t101, angular_acceleration_y_8, fma(-t95, angular_acceleration_z_8, t353));
+        let acceleration_x_8 = fma(0.02353312234715631, acceleration_z_8, fma(-t106, angular_acceleration_x_8, acceleration_x_8));
         let acceleration_x_8 = fma(0.003449144794252644, acceleration_y_8, acceleration_x_8);
-        let t363 = fma(-0.013296641892764124, acceleration_y_8, fma(-0.7613599420768367, acceleration_x_8, t222));
-        let t364 = fma(coupling_x0, angular_acceleration_x_8, fma(-0.14106512955956807, acceleration_z_8, t363));
-        let t365 = fma(coupling_z0, angular_acceleration_z_8, fma(coupling_y0, angular_acceleration_y_8, t364));
-        let t366 = fma(0.055993206221893924, acceleration_y_8, fma(0.26899095817779994, acceleration_x_8, t223));
-        let t367 = fma(coupling_x1, angular_acceleration_x_8, fma(0.23954110582463117, acceleration_z_8, t366));
-        let t368 = fma(coupling_z1, angular_acceleration_z_8, fma(coupling_y1, angular_acceleration_y_8, t367));
-        let t369 = fma(t98, -0.002990142970904682, fma(t97, -0.0004338277757044149, t101));
-        let t370 = fma(t90, 0.002990142970904682, fma(t89, -0.0004338277757044149, t106));
-        let t371 = fma(-t108, t369, t103 * t370);
-        let t372 = fma(t92, -0.002990142970904682, fma(t91, 0.0004338277757044149, t95));
-        let angular_acceleration_z_9 = t113 * fma(-t109, t371, t110 * fma(-t108, t372, t111 * t370));
-        let angular_acceleration_y_9 = t123 * fma(-t109, angular_acceleration_z_9, t371);
-        let t373 = fma(t102, angular_acceleration_y_9, fma(t96, angular_acceleration_z_9, t370));
-        let t374 = t124 * t373;
-        let acceleration_z_9 = fma(-t99, angular_acceleration_y_9, fma(t104, t374, 0.002990142970904682));
-        let acceleration_z_9 = fma(-t93, angular_acceleration_z_9, acceleration_z_9);
-        let acceleration_y_9 = fma(-t100, angular_acceleration_y_9, fma(t105, t374, 0.0004338277757044149));
-        let acceleration_y_9 = fma(0.001997492847507307, acceleration_z_9, fma(-t94, angular_acceleration_z_9, acceleration_y_9));
-        let acceleration_x_9 = fma(-t101, angular_acceleration_y_9, fma(t106, t374, 0.1369512748345644));
-        let acceleration_x_9 = fma(0.02353312234715631, acceleration_z_9, fma(-t95, angular_acceleration_z_9, acceleration_x_9));
+        let t358 = fma(coupling_y0, angular_acceleration_y_8, fma(coupling_z0, angular_acceleration_z_8, t224));
+        let t359 = fma(-0.14106512955956807, acceleration_z_8, fma(coupling_x0, angular_acceleration_x_8, t358));
+        let t360 = fma(-0.7613599420768367, acceleration_x_8, fma(-0.013296641892764124, acceleration_y_8, t359));
+        let t361 = fma(coupling_y1, angular_acceleration_y_8, fma(coupling_z1, angular_acceleration_z_8, t225));
+        let t362 = fma(0.23954110582463117, acceleration_z_8, fma(coupling_x1, angular_acceleration_x_8, t361));
+        let t363 = fma(0.26899095817779994, acceleration_x_8, fma(0.055993206221893924, acceleration_y_8, t362));
+        let t364 = fma(t98, -0.002990142970904682, fma(t97, -0.0004338277757044149, t101));
+        let t365 = fma(t90, 0.002990142970904682, fma(t89, -0.0004338277757044149, t106));
+        let t366 = fma(-t108, t364, t103 * t365);
+        let t367 = fma(t92, -0.002990142970904682, fma(t91, 0.0004338277757044149, t95));
+        let angular_acceleration_z_9 = t113 * fma(-t109, t366, t110 * fma(-t108, t367, t111 * t365));
+        let angular_acceleration_y_9 = fma(-t124, angular_acceleration_z_9, t123 * t366);
+        let t368 = fma(t126, angular_acceleration_y_9, fma(t127, angular_acceleration_z_9, t125 * t365));
+        let acceleration_z_9 = fma(-t99, angular_acceleration_y_9, fma(-t93, angular_acceleration_z_9, 0.002990142970904682));
+        let acceleration_z_9 = fma(t104, t368, acceleration_z_9);
+        let acceleration_y_9 = fma(-t100, angular_acceleration_y_9, fma(-t94, angular_acceleration_z_9, 0.0004338277757044149));
+        let acceleration_y_9 = fma(0.001997492847507307, acceleration_z_9, fma(t105, t368, acceleration_y_9));
+        let acceleration_x_9 = fma(-t101, angular_acceleration_y_9, fma(-t95, angular_acceleration_z_9, 0.1369512748345644));
+        let acceleration_x_9 = fma(0.02353312234715631, acceleration_z_9, fma(t106, t368, acceleration_x_9));
         let acceleration_x_9 = fma(0.003449144794252644, acceleration_y_9, acceleration_x_9);
-        let t375 = fma(-0.013296641892764124, acceleration_y_9, -0.7613599420768367 * acceleration_x_9);
-        let t376 = fma(coupling_x0, t374, -fma(-0.14106512955956807, acceleration_z_9, t375));
-        let t377 = fma(-coupling_z0, angular_acceleration_z_9, fma(-coupling_y0, angular_acceleration_y_9, t376));
-        let t378 = fma(0.055993206221893924, acceleration_y_9, 0.26899095817779994 * acceleration_x_9);
-        let t379 = fma(coupling_x1, t374, -fma(0.23954110582463117, acceleration_z_9, t378));
-        let t380 = fma(-coupling_z1, angular_acceleration_z_9, fma(-coupling_y1, angular_acceleration_y_9, t379));
-        let t381 = fma(t90, 0.000253729233449132, t105);
-        let t382 = fma(-t108, fma(t98, -0.000253729233449132, t100), t103 * t381);
-        let t383 = fma(-t108, fma(t92, -0.000253729233449132, t94), t111 * t381);
-        let angular_acceleration_z_10 = t113 * fma(-t109, t382, t110 * t383);
-        let angular_acceleration_y_10 = t123 * fma(-t109, angular_acceleration_z_10, t382);
-        let t384 = fma(t102, angular_acceleration_y_10, fma(t96, angular_acceleration_z_10, t381));
-        let t385 = t124 * t384;
-        let acceleration_z_10 = fma(-t99, angular_acceleration_y_10, fma(t104, t385, 0.000253729233449132));
-        let acceleration_z_10 = fma(-t93, angular_acceleration_z_10, acceleration_z_10);
-        let acceleration_y_10 = fma(-t100, angular_acceleration_y_10, fma(t105, t385, 0.12577836002342027));
-        let acceleration_y_10 = fma(0.001997492847507307, acceleration_z_10, fma(-t94, angular_acceleration_z_10, acceleration_y_10));
-        let acceleration_x_10 = fma(-t95, angular_acceleration_z_10, fma(-t101, angular_acceleration_y_10, t106 * t385));
-        let acceleration_x_10 = fma(0.02353312234715631, acceleration_z_10, acceleration_x_10);
+        let t369 = fma(coupling_y0, angular_acceleration_y_9, coupling_z0 * angular_acceleration_z_9);
+        let t370 = fma(0.14106512955956807, acceleration_z_9, fma(coupling_x0, t368, -t369));
+        let t371 = fma(0.7613599420768367, acceleration_x_9, fma(0.013296641892764124, acceleration_y_9, t370));
+        let t372 = fma(coupling_y1, angular_acceleration_y_9, coupling_z1 * angular_acceleration_z_9);
+        let t373 = fma(-0.23954110582463117, acceleration_z_9, fma(coupling_x1, t368, -t372));
+        let t374 = fma(-0.26899095817779994, acceleration_x_9, fma(-0.055993206221893924, acceleration_y_9, t373));
+        let t375 = fma(t90, 0.000253729233449132, t105);
+        let t376 = fma(-t108, fma(t98, -0.000253729233449132, t100), t103 * t375);
+        let t377 = fma(-t108, fma(t92, -0.000253729233449132, t94), t111 * t375);
+        let angular_acceleration_z_10 = t113 * fma(-t109, t376, t110 * t377);
+        let angular_acceleration_y_10 = fma(-t124, angular_acceleration_z_10, t123 * t376);
+        let t378 = fma(t126, angular_acceleration_y_10, fma(t127, angular_acceleration_z_10, t125 * t375));
+        let acceleration_z_10 = fma(-t99, angular_acceleration_y_10, fma(-t93, angular_acceleration_z_10, 0.000253729233449132));
+        let acceleration_z_10 = fma(t104, t378, acceleration_z_10);
+        let acceleration_y_10 = fma(-t100, angular_acceleration_y_10, fma(-t94, angular_acceleration_z_10, 0.12577836002342027));
+        let acceleration_y_10 = fma(0.001997492847507307, acceleration_z_10, fma(t105, t378, acceleration_y_10));
+        let t379 = fma(t101, angular_acceleration_y_10, t95 * angular_acceleration_z_10);
+        let acceleration_x_10 = fma(0.02353312234715631, acceleration_z_10, fma(t106, t378, -t379));
         let acceleration_x_10 = fma(0.003449144794252644, acceleration_y_10, acceleration_x_10);
-        let t386 = fma(-0.013296641892764124, acceleration_y_10, -0.7613599420768367 * acceleration_x_10);
-        let t387 = fma(coupling_x0, t385, -fma(-0.14106512955956807, acceleration_z_10, t386));
-        let t388 = fma(-coupling_z0, angular_acceleration_z_10, fma(-coupling_y0, angular_acceleration_y_10, t387));
-        let t389 = fma(0.055993206221893924, acceleration_y_10, 0.26899095817779994 * acceleration_x_10);
-        let t390 = fma(coupling_x1, t385, -fma(0.23954110582463117, acceleration_z_10, t389));
-        let t391 = fma(-coupling_z1, angular_acceleration_z_10, fma(-coupling_y1, angular_acceleration_y_10, t390));
-        let t392 = fma(-t99, t108, t104 * t103);
-        let angular_acceleration_z_11 = t113 * fma(-t109, t392, t110 * fma(-t93, t108, t104 * t111));
-        let angular_acceleration_y_11 = t123 * fma(-t109, angular_acceleration_z_11, t392);
-        let t393 = fma(t102, angular_acceleration_y_11, fma(t96, angular_acceleration_z_11, t104));
-        let t394 = t124 * t393;
-        let acceleration_z_11 = fma(-t99, angular_acceleration_y_11, fma(t104, t394, 0.12702385080665668));
-        let acceleration_z_11 = fma(-t93, angular_acceleration_z_11, acceleration_z_11);
-        let acceleration_y_11 = fma(-t94, angular_acceleration_z_11, fma(-t100, angular_acceleration_y_11, t105 * t394));
-        let acceleration_y_11 = fma(0.001997492847507307, acceleration_z_11, acceleration_y_11);
-        let acceleration_x_11 = fma(-t95, angular_acceleration_z_11, fma(-t101, angular_acceleration_y_11, t106 * t394));
-        let acceleration_x_11 = fma(0.02353312234715631, acceleration_z_11, acceleration_x_11);
+        let t380 = fma(coupling_y0, angular_acceleration_y_10, coupling_z0 * angular_acceleration_z_10);
+        let t381 = fma(0.14106512955956807, acceleration_z_10, fma(coupling_x0, t378, -t380));
+        let t382 = fma(0.7613599420768367, acceleration_x_10, fma(0.013296641892764124, acceleration_y_10, t381));
+        let t383 = fma(coupling_y1, angular_acceleration_y_10, coupling_z1 * angular_acceleration_z_10);
+        let t384 = fma(-0.23954110582463117, acceleration_z_10, fma(coupling_x1, t378, -t383));
+        let t385 = fma(-0.26899095817779994, acceleration_x_10, fma(-0.055993206221893924, acceleration_y_10, t384));
+        let t386 = fma(-t99, t108, t104 * t103);
+        let angular_acceleration_z_11 = t113 * fma(-t109, t386, t110 * fma(-t93, t108, t104 * t111));
+        let angular_acceleration_y_11 = fma(-t124, angular_acceleration_z_11, t123 * t386);
+        let t387 = fma(t126, angular_acceleration_y_11, fma(t127, angular_acceleration_z_11, t104 * t125));
+        let acceleration_z_11 = fma(-t99, angular_acceleration_y_11, fma(-t93, angular_acceleration_z_11, 0.12702385080665668));
+        let acceleration_z_11 = fma(t104, t387, acceleration_z_11);
+        let t388 = fma(t100, angular_acceleration_y_11, t94 * angular_acceleration_z_11);
+        let acceleration_y_11 = fma(0.001997492847507307, acceleration_z_11, fma(t105, t387, -t388));
+        let t389 = fma(t101, angular_acceleration_y_11, t95 * angular_acceleration_z_11);
+        let acceleration_x_11 = fma(0.02353312234715631, acceleration_z_11, fma(t106, t387, -t389));
         let acceleration_x_11 = fma(0.003449144794252644, acceleration_y_11, acceleration_x_11);
-        let t395 = fma(-0.013296641892764124, acceleration_y_11, -0.7613599420768367 * acceleration_x_11);
-        let t396 = fma(coupling_x0, t394, -fma(-0.14106512955956807, acceleration_z_11, t395));
-        let t397 = fma(-coupling_z0, angular_acceleration_z_11, fma(-coupling_y0, angular_acceleration_y_11, t396));
-        let t398 = fma(0.055993206221893924, acceleration_y_11, 0.26899095817779994 * acceleration_x_11);
-        let t399 = fma(coupling_x1, t394, -fma(0.23954110582463117, acceleration_z_11, t398));
-        let t400 = fma(-coupling_z1, angular_acceleration_z_11, fma(-coupling_y1, angular_acceleration_y_11, t399));
+        let t390 = fma(coupling_y0, angular_acceleration_y_11, coupling_z0 * angular_acceleration_z_11);
+        let t391 = fma(0.14106512955956807, acceleration_z_11, fma(coupling_x0, t387, -t390));
+        let t392 = fma(0.7613599420768367, acceleration_x_11, fma(0.013296641892764124, acceleration_y_11, t391));
+        let t393 = fma(coupling_y1, angular_acceleration_y_11, coupling_z1 * angular_acceleration_z_11);
+        let t394 = fma(-0.23954110582463117, acceleration_z_11, fma(coupling_x1, t387, -t393));
+        let t395 = fma(-0.26899095817779994, acceleration_x_11, fma(-0.055993206221893924, acceleration_y_11, t394));
         let angular_acceleration_z_12 = t113 * fma(-t111, t110, t103 * t109);
-        let t401 = t123 * fma(t109, angular_acceleration_z_12, t103);
-        let angular_acceleration_x_9 = t124 * fma(t102, t401, fma(-t96, angular_acceleration_z_12, 1.0));
-        let acceleration_z_12 = fma(-t93, angular_acceleration_z_12, fma(-t104, angular_acceleration_x_9, t99 * t401));
-        let acceleration_y_12 = fma(-t94, angular_acceleration_z_12, fma(-t105, angular_acceleration_x_9, t100 * t401));
+        let t396 = fma(t124, angular_acceleration_z_12, t103 * t123);
+        let angular_acceleration_x_9 = fma(t126, t396, fma(-t127, angular_acceleration_z_12, t125));
+        let acceleration_z_12 = fma(-t104, angular_acceleration_x_9, fma(-t93, angular_acceleration_z_12, t99 * t396));
+        let acceleration_y_12 = fma(-t105, angular_acceleration_x_9, fma(-t94, angular_acceleration_z_12, t100 * t396));
         let acceleration_y_12 = fma(0.001997492847507307, acceleration_z_12, acceleration_y_12);
-        let acceleration_x_12 = fma(-t95, angular_acceleration_z_12, fma(-t106, angular_acceleration_x_9, t101 * t401));
+        let acceleration_x_12 = fma(-t106, angular_acceleration_x_9, fma(-t95, angular_acceleration_z_12, t101 * t396));
         let acceleration_x_12 = fma(0.02353312234715631, acceleration_z_12, acceleration_x_12);
         let acceleration_x_12 = fma(0.003449144794252644, acceleration_y_12, acceleration_x_12);
-        let t402 = fma(-0.013296641892764124, acceleration_y_12, -0.7613599420768367 * acceleration_x_12);
-        let t403 = fma(coupling_x0, angular_acceleration_x_9, fma(-0.14106512955956807, acceleration_z_12, t402));
-        let t404 = fma(-coupling_z0, angular_acceleration_z_12, fma(coupling_y0, t401, -t403));
-        let t405 = fma(0.055993206221893924, acceleration_y_12, 0.26899095817779994 * acceleration_x_12);
-        let t406 = fma(coupling_x1, angular_acceleration_x_9, fma(0.23954110582463117, acceleration_z_12, t405));
-        let t407 = fma(-coupling_z1, angular_acceleration_z_12, fma(coupling_y1, t401, -t406));
-        let t408 = t113 * (t108 * t109);
-        let angular_acceleration_y_12 = t123 * fma(t109, t408, t108);
-        let angular_acceleration_x_10 = t124 * fma(-t102, angular_acceleration_y_12, t96 * t408);
-        let t409 = fma(t99, angular_acceleration_y_12, t104 * angular_acceleration_x_10);
-        let acceleration_z_13 = fma(t93, t408, -t409);
-        let t410 = fma(t100, angular_acceleration_y_12, t105 * angular_acceleration_x_10);
-        let acceleration_y_13 = fma(0.001997492847507307, acceleration_z_13, fma(t94, t408, -t410));
-        let t411 = fma(t101, angular_acceleration_y_12, t106 * angular_acceleration_x_10);
-        let acceleration_x_13 = fma(0.02353312234715631, acceleration_z_13, fma(t95, t408, -t411));
+        let t397 = fma(-coupling_z0, angular_acceleration_z_12, coupling_y0 * t396);
+        let t398 = fma(0.14106512955956807, acceleration_z_12, fma(-coupling_x0, angular_acceleration_x_9, t397));
+        let t399 = fma(0.7613599420768367, acceleration_x_12, fma(0.013296641892764124, acceleration_y_12, t398));
+        let t400 = fma(-coupling_z1, angular_acceleration_z_12, coupling_y1 * t396);
+        let t401 = fma(-0.23954110582463117, acceleration_z_12, fma(-coupling_x1, angular_acceleration_x_9, t400));
+        let t402 = fma(-0.26899095817779994, acceleration_x_12, fma(-0.055993206221893924, acceleration_y_12, t401));
+        let t403 = t113 * (t108 * t109);
+        let angular_acceleration_y_12 = fma(t124, t403, t108 * t123);
+        let angular_acceleration_x_10 = fma(-t126, angular_acceleration_y_12, t127 * t403);
+        let acceleration_z_13 = fma(-t104, angular_acceleration_x_10, fma(-t99, angular_acceleration_y_12, t93 * t403));
+        let acceleration_y_13 = fma(-t105, angular_acceleration_x_10, fma(-t100, angular_acceleration_y_12, t94 * t403));
+        let acceleration_y_13 = fma(0.001997492847507307, acceleration_z_13, acceleration_y_13);
+        let acceleration_x_13 = fma(-t106, angular_acceleration_x_10, fma(-t101, angular_acceleration_y_12, t95 * t403));
+        let acceleration_x_13 = fma(0.02353312234715631, acceleration_z_13, acceleration_x_13);
         let acceleration_x_13 = fma(0.003449144794252644, acceleration_y_13, acceleration_x_13);
-        let t412 = fma(-0.013296641892764124, acceleration_y_13, -0.7613599420768367 * acceleration_x_13);
-        let t413 = fma(coupling_x0, angular_acceleration_x_10, fma(-0.14106512955956807, acceleration_z_13, t412));
-        let t414 = fma(coupling_z0, t408, -fma(coupling_y0, angular_acceleration_y_12, t413));
-        let t415 = fma(0.055993206221893924, acceleration_y_13, 0.26899095817779994 * acceleration_x_13);
-        let t416 = fma(coupling_x1, angular_acceleration_x_10, fma(0.23954110582463117, acceleration_z_13, t415));
-        let t417 = fma(coupling_z1, t408, -fma(coupling_y1, angular_acceleration_y_12, t416));
+        let t404 = fma(-coupling_y0, angular_acceleration_y_12, coupling_z0 * t403);
+        let t405 = fma(0.14106512955956807, acceleration_z_13, fma(-coupling_x0, angular_acceleration_x_10, t404));
+        let t406 = fma(0.7613599420768367, acceleration_x_13, fma(0.013296641892764124, acceleration_y_13, t405));
+        let t407 = fma(-coupling_y1, angular_acceleration_y_12, coupling_z1 * t403);
+        let t408 = fma(-0.23954110582463117, acceleration_z_13, fma(-coupling_x1, angular_acceleration_x_10, t407));
+        let t409 = fma(-0.26899095817779994, acceleration_x_13, fma(-0.055993206221893924, acceleration_y_13, t408));
         let angular_acceleration_z_13 = t113 * (t108 * t110);
-        let t418 = t123 * (t109 * angular_acceleration_z_13);
-        let angular_acceleration_x_11 = t124 * fma(-t96, angular_acceleration_z_13, t102 * t418);
-        let acceleration_z_14 = fma(-t93, angular_acceleration_z_13, fma(-t104, angular_acceleration_x_11, t99 * t418));
-        let acceleration_y_14 = fma(-t94, angular_acceleration_z_13, fma(-t105, angular_acceleration_x_11, t100 * t418));
+        let t410 = t124 * angular_acceleration_z_13;
+        let angular_acceleration_x_11 = fma(-t127, angular_acceleration_z_13, t126 * t410);
+        let acceleration_z_14 = fma(-t104, angular_acceleration_x_11, fma(-t93, angular_acceleration_z_13, t99 * t410));
+        let acceleration_y_14 = fma(-t105, angular_acceleration_x_11, fma(-t94, angular_acceleration_z_13, t100 * t410));
         let acceleration_y_14 = fma(0.001997492847507307, acceleration_z_14, acceleration_y_14);
-        let acceleration_x_14 = fma(-t95, angular_acceleration_z_13, fma(-t106, angular_acceleration_x_11, t101 * t418));
+        let acceleration_x_14 = fma(-t106, angular_acceleration_x_11, fma(-t95, angular_acceleration_z_13, t101 * t410));
         let acceleration_x_14 = fma(0.02353312234715631, acceleration_z_14, acceleration_x_14);
         let acceleration_x_14 = fma(0.003449144794252644, acceleration_y_14, acceleration_x_14);
-        let t419 = fma(-0.013296641892764124, acceleration_y_14, -0.7613599420768367 * acceleration_x_14);
-        let t420 = fma(coupling_x0, angular_acceleration_x_11, fma(-0.14106512955956807, acceleration_z_14, t419));
-        let t421 = fma(-coupling_z0, angular_acceleration_z_13, fma(coupling_y0, t418, -t420));
-        let t422 = fma(0.055993206221893924, acceleration_y_14, 0.26899095817779994 * acceleration_x_14);
-        let t423 = fma(coupling_x1, angular_acceleration_x_11, fma(0.23954110582463117, acceleration_z_14, t422));
-        let t424 = fma(-coupling_z1, angular_acceleration_z_13, fma(coupling_y1, t418, -t423));
-        let t425 = fma(t97, -0.0020027289012722145, fma(t81, 0.1042692146753929, coupling_y0));
-        let t426 = fma(t89, -0.0020027289012722145, fma(t80, -0.1042692146753929, coupling_x0));
-        let t427 = fma(t90, 0.020198584797080615, t426);
-        let t428 = fma(-t108, fma(t98, -0.020198584797080615, t425), t103 * t427);
-        let t429 = fma(t91, 0.0020027289012722145, fma(t82, -0.1042692146753929, coupling_z0));
-        let t430 = fma(-t108, fma(t92, -0.020198584797080615, t429), t111 * t427);
-        let angular_acceleration_z_14 = t113 * fma(-t109, t428, t110 * t430);
-        let angular_acceleration_y_13 = t123 * fma(-t109, angular_acceleration_z_14, t428);
-        let t431 = fma(t102, angular_acceleration_y_13, fma(t96, angular_acceleration_z_14, t427));
-        let t432 = t124 * t431;
-        let acceleration_z_15 = fma(-t99, angular_acceleration_y_13, fma(t104, t432, 0.020198584797080615));
-        let acceleration_z_15 = fma(-t93, angular_acceleration_z_14, acceleration_z_15);
-        let acceleration_y_15 = fma(-t100, angular_acceleration_y_13, fma(t105, t432, 0.0020027289012722145));
-        let acceleration_y_15 = fma(0.001997492847507307, acceleration_z_15, fma(-t94, angular_acceleration_z_14, acceleration_y_15));
-        let acceleration_x_15 = fma(-t101, angular_acceleration_y_13, fma(t106, t432, 0.1042692146753929));
-        let acceleration_x_15 = fma(0.02353312234715631, acceleration_z_15, fma(-t95, angular_acceleration_z_14, acceleration_x_15));
+        let t411 = fma(-coupling_z0, angular_acceleration_z_13, coupling_y0 * t410);
+        let t412 = fma(0.14106512955956807, acceleration_z_14, fma(-coupling_x0, angular_acceleration_x_11, t411));
+        let t413 = fma(0.7613599420768367, acceleration_x_14, fma(0.013296641892764124, acceleration_y_14, t412));
+        let t414 = fma(-coupling_z1, angular_acceleration_z_13, coupling_y1 * t410);
+        let t415 = fma(-0.23954110582463117, acceleration_z_14, fma(-coupling_x1, angular_acceleration_x_11, t414));
+        let t416 = fma(-0.26899095817779994, acceleration_x_14, fma(-0.055993206221893924, acceleration_y_14, t415));
+        let t417 = fma(t97, -0.0020027289012722145, fma(t81, 0.1042692146753929, coupling_y0));
+        let t418 = fma(t89, -0.0020027289012722145, fma(t80, -0.1042692146753929, coupling_x0));
+        let t419 = fma(t90, 0.020198584797080615, t418);
+        let t420 = fma(-t108, fma(t98, -0.020198584797080615, t417), t103 * t419);
+        let t421 = fma(t91, 0.0020027289012722145, fma(t82, -0.1042692146753929, coupling_z0));
+        let t422 = fma(-t108, fma(t92, -0.020198584797080615, t421), t111 * t419);
+        let angular_acceleration_z_14 = t113 * fma(-t109, t420, t110 * t422);
+        let angular_acceleration_y_13 = fma(-t124, angular_acceleration_z_14, t123 * t420);
+        let t423 = fma(t126, angular_acceleration_y_13, fma(t127, angular_acceleration_z_14, t125 * t419));
+        let acceleration_z_15 = fma(-t99, angular_acceleration_y_13, fma(-t93, angular_acceleration_z_14, 0.020198584797080615));
+        let acceleration_z_15 = fma(t104, t423, acceleration_z_15);
+        let acceleration_y_15 = fma(-t100, angular_acceleration_y_13, fma(-t94, angular_acceleration_z_14, 0.0020027289012722145));
+        let acceleration_y_15 = fma(0.001997492847507307, acceleration_z_15, fma(t105, t423, acceleration_y_15));
+        let acceleration_x_15 = fma(-t101, angular_acceleration_y_13, fma(-t95, angular_acceleration_z_14, 0.1042692146753929));
+        let acceleration_x_15 = fma(0.02353312234715631, acceleration_z_15, fma(t106, t423, acceleration_x_15));
         let acceleration_x_15 = fma(0.003449144794252644, acceleration_y_15, acceleration_x_15);
-        let t433 = fma(0.013296641892764124, acceleration_y_15, fma(0.7613599420768367, acceleration_x_15, 1.0));
-        let t434 = fma(coupling_x0, t432, fma(0.14106512955956807, acceleration_z_15, t433));
-        let t435 = fma(-coupling_z0, angular_acceleration_z_14, fma(-coupling_y0, angular_acceleration_y_13, t434));
-        let t436 = fma(0.055993206221893924, acceleration_y_15, 0.26899095817779994 * acceleration_x_15);
-        let t437 = fma(coupling_x1, t432, -fma(0.23954110582463117, acceleration_z_15, t436));
-        let t438 = fma(-coupling_z1, angular_acceleration_z_14, fma(-coupling_y1, angular_acceleration_y_13, t437));
-        let t439 = fma(t97, 0.007159429400113864, fma(t81, -0.0368386546414207, coupling_y1));
-        let t440 = fma(t89, 0.007159429400113864, fma(t80, 0.0368386546414207, coupling_x1));
-        let t441 = fma(t90, -0.031245962224454814, t440);
-        let t442 = fma(-t108, fma(t98, 0.031245962224454814, t439), t103 * t441);
-        let t443 = fma(t91, -0.007159429400113864, fma(t82, 0.0368386546414207, coupling_z1));
-        let t444 = fma(-t108, fma(t92, 0.031245962224454814, t443), t111 * t441);
-        let angular_acceleration_z_15 = t113 * fma(-t109, t442, t110 * t444);
-        let angular_acceleration_y_14 = t123 * fma(-t109, angular_acceleration_z_15, t442);
-        let t445 = fma(t102, angular_acceleration_y_14, fma(t96, angular_acceleration_z_15, t441));
-        let t446 = t124 * t445;
-        let acceleration_z_16 = fma(-t99, angular_acceleration_y_14, fma(t104, t446, -0.031245962224454814));
-        let acceleration_z_16 = fma(-t93, angular_acceleration_z_15, acceleration_z_16);
-        let acceleration_y_16 = fma(-t100, angular_acceleration_y_14, fma(t105, t446, -0.007159429400113864));
-        let acceleration_y_16 = fma(0.001997492847507307, acceleration_z_16, fma(-t94, angular_acceleration_z_15, acceleration_y_16));
-        let acceleration_x_16 = fma(-t101, angular_acceleration_y_14, fma(t106, t446, -0.0368386546414207));
-        let acceleration_x_16 = fma(0.02353312234715631, acceleration_z_16, fma(-t95, angular_acceleration_z_15, acceleration_x_16));
+        let t424 = fma(-coupling_y0, angular_acceleration_y_13, fma(-coupling_z0, angular_acceleration_z_14, 1.0));
+        let t425 = fma(0.14106512955956807, acceleration_z_15, fma(coupling_x0, t423, t424));
+        let t426 = fma(0.7613599420768367, acceleration_x_15, fma(0.013296641892764124, acceleration_y_15, t425));
+        let t427 = fma(coupling_y1, angular_acceleration_y_13, coupling_z1 * angular_acceleration_z_14);
+        let t428 = fma(-0.23954110582463117, acceleration_z_15, fma(coupling_x1, t423, -t427));
+        let t429 = fma(-0.26899095817779994, acceleration_x_15, fma(-0.055993206221893924, acceleration_y_15, t428));
+        let t430 = fma(t97, 0.007159429400113864, fma(t81, -0.0368386546414207, coupling_y1));
+        let t431 = fma(t89, 0.007159429400113864, fma(t80, 0.0368386546414207, coupling_x1));
+        let t432 = fma(t90, -0.031245962224454814, t431);
+        let t433 = fma(-t108, fma(t98, 0.031245962224454814, t430), t103 * t432);
+        let t434 = fma(t91, -0.007159429400113864, fma(t82, 0.0368386546414207, coupling_z1));
+        let t435 = fma(-t108, fma(t92, 0.031245962224454814, t434), t111 * t432);
+        let angular_acceleration_z_15 = t113 * fma(-t109, t433, t110 * t435);
+        let angular_acceleration_y_14 = fma(-t124, angular_acceleration_z_15, t123 * t433);
+        let t436 = fma(t126, angular_acceleration_y_14, fma(t127, angular_acceleration_z_15, t125 * t432));
+        let acceleration_z_16 = fma(-t99, angular_acceleration_y_14, fma(-t93, angular_acceleration_z_15, -0.031245962224454814));
+        let acceleration_z_16 = fma(t104, t436, acceleration_z_16);
+        let acceleration_y_16 = fma(-t100, angular_acceleration_y_14, fma(-t94, angular_acceleration_z_15, -0.007159429400113864));
+        let acceleration_y_16 = fma(0.001997492847507307, acceleration_z_16, fma(t105, t436, acceleration_y_16));
+        let acceleration_x_16 = fma(-t101, angular_acceleration_y_14, fma(-t95, angular_acceleration_z_15, -0.0368386546414207));
+        let acceleration_x_16 = fma(0.02353312234715631, acceleration_z_16, fma(t106, t436, acceleration_x_16));
         let acceleration_x_16 = fma(0.003449144794252644, acceleration_y_16, acceleration_x_16);
-        let t447 = fma(-0.013296641892764124, acceleration_y_16, -0.7613599420768367 * acceleration_x_16);
-        let t448 = fma(coupling_x0, t446, -fma(-0.14106512955956807, acceleration_z_16, t447));
-        let t449 = fma(-coupling_z0, angular_acceleration_z_15, fma(-coupling_y0, angular_acceleration_y_14, t448));
-        let t450 = fma(-0.055993206221893924, acceleration_y_16, fma(-0.26899095817779994, acceleration_x_16, 1.0));
-        let t451 = fma(coupling_x1, t446, fma(-0.23954110582463117, acceleration_z_16, t450));
-        let t452 = fma(-coupling_z1, angular_acceleration_z_15, fma(-coupling_y1, angular_acceleration_y_14, t451));
+        let t437 = fma(coupling_y0, angular_acceleration_y_14, coupling_z0 * angular_acceleration_z_15);
+        let t438 = fma(0.14106512955956807, acceleration_z_16, fma(coupling_x0, t436, -t437));
+        let t439 = fma(0.7613599420768367, acceleration_x_16, fma(0.013296641892764124, acceleration_y_16, t438));
+        let t440 = fma(-coupling_y1, angular_acceleration_y_14, fma(-coupling_z1, angular_acceleration_z_15, 1.0));
+        let t441 = fma(-0.23954110582463117, acceleration_z_16, fma(coupling_x1, t436, t440));
+        let t442 = fma(-0.26899095817779994, acceleration_x_16, fma(-0.055993206221893924, acceleration_y_16, t441));
 
         (
             [
                 acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t128, t131,
+                angular_acceleration_y, angular_acceleration_z, t130, t133,
             ],
             [
                 [
                     acceleration_x_2, acceleration_y_2, acceleration_z_2, angular_acceleration_x_2,
-                    angular_acceleration_y_2, angular_acceleration_z_2, -t251, -t254,
+                    angular_acceleration_y_2, angular_acceleration_z_2, -t252, -t255,
                 ],
                 [
                     acceleration_x_3, acceleration_y_3, acceleration_z_3, angular_acceleration_x_3,
@@ -1941,60 +1937,60 @@ const _: () = {
                 [
                     acceleration_x_4, acceleration_y_4, acceleration_z_4, angular_acceleration_x_4,
                     angular_acceleration_y_4, angular_acceleration_z_4,
-                    fma(-coupling_z0, angular_acceleration_z_4, t298), -t301,
+                    fma(0.7613599420768367, acceleration_x_4, t297), -t300,
                 ],
                 [
                     acceleration_x_5, acceleration_y_5, acceleration_z_5, angular_acceleration_x_5,
-                    angular_acceleration_y_5, angular_acceleration_z_5, -t314,
-                    fma(-coupling_z1, angular_acceleration_z_5, t317),
+                    angular_acceleration_y_5, angular_acceleration_z_5, -t312,
+                    fma(-0.26899095817779994, acceleration_x_5, t315),
                 ],
             ],
             [
                 [
                     acceleration_x_6, acceleration_y_6, acceleration_z_6, angular_acceleration_x_6,
-                    angular_acceleration_y_6, angular_acceleration_z_6, -t331, -t334,
+                    angular_acceleration_y_6, angular_acceleration_z_6, -t328, -t331,
                 ],
                 [
                     acceleration_x_7, acceleration_y_7, acceleration_z_7, angular_acceleration_x_7,
-                    angular_acceleration_y_7, angular_acceleration_z_7, -t348, -t351,
+                    angular_acceleration_y_7, angular_acceleration_z_7, -t344, -t347,
                 ],
                 [
                     acceleration_x_8, acceleration_y_8, acceleration_z_8, angular_acceleration_x_8,
-                    angular_acceleration_y_8, angular_acceleration_z_8, -t365, -t368,
+                    angular_acceleration_y_8, angular_acceleration_z_8, -t360, -t363,
                 ],
             ],
             [
                 [
-                    acceleration_x_9, acceleration_y_9, acceleration_z_9, -t374, angular_acceleration_y_9,
-                    angular_acceleration_z_9, t377, t380,
+                    acceleration_x_9, acceleration_y_9, acceleration_z_9, -t368, angular_acceleration_y_9,
+                    angular_acceleration_z_9, t371, t374,
                 ],
                 [
-                    acceleration_x_10, acceleration_y_10, acceleration_z_10, -t385,
-                    angular_acceleration_y_10, angular_acceleration_z_10, t388, t391,
+                    acceleration_x_10, acceleration_y_10, acceleration_z_10, -t378,
+                    angular_acceleration_y_10, angular_acceleration_z_10, t382, t385,
                 ],
                 [
-                    acceleration_x_11, acceleration_y_11, acceleration_z_11, -t394,
-                    angular_acceleration_y_11, angular_acceleration_z_11, t397, t400,
+                    acceleration_x_11, acceleration_y_11, acceleration_z_11, -t387,
+                    angular_acceleration_y_11, angular_acceleration_z_11, t392, t395,
                 ],
                 [
-                    acceleration_x_12, acceleration_y_12, acceleration_z_12, angular_acceleration_x_9, -t401,
-                    angular_acceleration_z_12, t404, t407,
+                    acceleration_x_12, acceleration_y_12, acceleration_z_12, angular_acceleration_x_9, -t396,
+                    angular_acceleration_z_12, t399, t402,
                 ],
                 [
                     acceleration_x_13, acceleration_y_13, acceleration_z_13, angular_acceleration_x_10,
-                    angular_acceleration_y_12, -t408, t414, t417,
+                    angular_acceleration_y_12, -t403, t406, t409,
                 ],
                 [
                     acceleration_x_14, acceleration_y_14, acceleration_z_14, angular_acceleration_x_11,
-                    -t418, angular_acceleration_z_13, t421, t424,
+                    -t410, angular_acceleration_z_13, t413, t416,
                 ],
                 [
-                    acceleration_x_15, acceleration_y_15, acceleration_z_15, -t432,
-                    angular_acceleration_y_13, angular_acceleration_z_14, t435, t438,
+                    acceleration_x_15, acceleration_y_15, acceleration_z_15, -t423,
+                    angular_acceleration_y_13, angular_acceleration_z_14, t426, t429,
                 ],
                 [
-                    acceleration_x_16, acceleration_y_16, acceleration_z_16, -t446,
-                    angular_acceleration_y_14, angular_acceleration_z_15, t449, t452,
+                    acceleration_x_16, acceleration_y_16, acceleration_z_16, -t436,
+                    angular_acceleration_y_14, angular_acceleration_z_15, t439, t442,
                 ],
             ],
         )
@@ -2590,17 +2586,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+            force: &::ffrf::nalgebra::SVector<f64, 8>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f64, 8, 8>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          120 operations: 87 multiply-add, 6 multiply, 27 add
 //   quadratic_velocity   261 operations: 168 multiply-add, 54 multiply, 39 add
-//   forward_dynamics     474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide
-//   equations_of_motion  474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide
+//   forward_dynamics     477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide
+//   equations_of_motion  477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide
 //   kinetic_energy       203 operations: 136 multiply-add, 27 multiply, 40 add
 //   elastic_energy       13 operations: 8 multiply-add, 5 multiply
 //   linear_momentum      27 operations: 24 multiply-add, 3 multiply
@@ -397,7 +397,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide.
+    /// Cost: 477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 3], omega: &[f64; 3], q_dot: &[f64; 3], force: &[f64; 9]) -> [f64; 9] {
         let [q0, q1, q2] = *q;
@@ -581,7 +581,7 @@ const _: () = {
         let t52 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
         let reduced_moment_z = moment_z - (t13 + t15) - fma(coupling_z2, modal_residual2, t52);
 
-        // Rigid-body accelerations (90 operations: 61 multiply-add, 25 multiply, 1 add, 3 divide)
+        // Rigid-body accelerations (93 operations: 61 multiply-add, 28 multiply, 1 add, 3 divide)
         let t53 = fma(t35, 0.028180006971925246, first_moment_z + fma(-0.42481972953070996, coupling_x2, t41));
         let t54 = fma(-0.0021901949832171925, t35, first_moment_y - fma(0.02522646067793359, coupling_x2, t44));
         let t55 = fma(-0.015330768093777324, t53, t54);
@@ -622,31 +622,32 @@ const _: () = {
         let t90 = fma(-t88, t70, t89 * t77);
         let t91 = fma(t58, t85, fma(-t56, t86, fma(t40, t87, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t78, t78, t80 * fma(-t62, t81, t82 * t77)) * fma(-t78, t90, t80 * fma(-t88, t81, t91 * t77));
-        let angular_acceleration_y = 1.0 / t80 * fma(-t78, angular_acceleration_z, t90);
-        let t92 = fma(-t69, angular_acceleration_y, fma(-t62, angular_acceleration_z, t88));
-        let angular_acceleration_x = 1.0 / t76 * t92;
-        let acceleration_z = fma(-t66, angular_acceleration_y, fma(-t73, angular_acceleration_x, t85));
-        let acceleration_z = fma(-t59, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t67, angular_acceleration_y, fma(-t74, angular_acceleration_x, t86));
-        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t60, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t68, angular_acceleration_y, fma(-t75, angular_acceleration_x, t87));
-        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t61, angular_acceleration_z, acceleration_x));
+        let t92 = 1.0 / t80;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t78 * t92, t90 * t92);
+        let t93 = 1.0 / t76;
+        let angular_acceleration_x = fma(-(t69 * t93), angular_acceleration_y, fma(-angular_acceleration_z, t62 * t93, t88 * t93));
+        let acceleration_z = fma(-t66, angular_acceleration_y, fma(-t59, angular_acceleration_z, t85));
+        let acceleration_z = fma(-t73, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t67, angular_acceleration_y, fma(-t60, angular_acceleration_z, t86));
+        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t74, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t68, angular_acceleration_y, fma(-t61, angular_acceleration_z, t87));
+        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t75, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
-        let t93 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
-        let t94 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t93));
-        let t95 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t94));
-        let t96 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
-        let t97 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t96));
-        let t98 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t97));
-        let t99 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
-        let t100 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t99));
-        let t101 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t100));
+        let t94 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t95 = fma(0.10812284215722648, acceleration_z, fma(-coupling_x0, angular_acceleration_x, t94));
+        let t96 = fma(0.06409007611640456, acceleration_x, fma(0.9001934196050294, acceleration_y, t95));
+        let t97 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t98 = fma(0.05794438109558275, acceleration_z, fma(-coupling_x1, angular_acceleration_x, t97));
+        let t99 = fma(0.25776611797120724, acceleration_x, fma(0.17297569884952893, acceleration_y, t98));
+        let t100 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_z2, angular_acceleration_z, modal_residual2));
+        let t101 = fma(-0.02522646067793359, acceleration_z, fma(-coupling_x2, angular_acceleration_x, t100));
+        let t102 = fma(0.23893014622917852, acceleration_x, fma(0.42481972953070996, acceleration_y, t101));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t95, t98, t101,
+            angular_acceleration_y, angular_acceleration_z, t96, t99, t102,
         ]
     }
 
@@ -654,18 +655,18 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 474 operations: 298 multiply-add, 103 multiply, 70 add, 3 divide.
+    /// Cost: 477 operations: 298 multiply-add, 106 multiply, 70 add, 3 divide.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         q: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
         force: &[f64; 9],
-    ) -> ([[f64; 9]; 9], [f64; 9], [f64; 9]) {
+        mass_matrix: &mut [[f64; 9]; 9],
+        quadratic_velocity: &mut [f64; 9],
+        acceleration: &mut [f64; 9],
+    ) {
         let [q0, q1, q2] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1, q_dot2] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1, modal_force2] = *force;
 
         // Deformed moments T_μ + q_ν T_νμ (66 operations: 63 multiply-add, 3 add)
         let moment_trace0 = -0.2463634087948969 + q0;
@@ -739,6 +740,48 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, -0.41849969519340835);
         let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
 
+        *mass_matrix = [
+            [
+                7.3591122239340905, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.06409007611640456,
+                -0.25776611797120724, -0.23893014622917852,
+            ],
+            [
+                0.0, 7.3591122239340905, 0.0, -first_moment_z, 0.0, first_moment_x, -0.9001934196050294,
+                -0.17297569884952893, -0.42481972953070996,
+            ],
+            [
+                0.0, 0.0, 7.3591122239340905, first_moment_y, -first_moment_x, 0.0, -0.10812284215722648,
+                -0.05794438109558275, 0.02522646067793359,
+            ],
+            [
+                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                coupling_x1, coupling_x2,
+            ],
+            [
+                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                coupling_y1, coupling_y2,
+            ],
+            [
+                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                coupling_z1, coupling_z2,
+            ],
+            [
+                -0.06409007611640456, -0.9001934196050294, -0.10812284215722648, coupling_x0,
+                coupling_y0, coupling_z0, 1.0, 0.0, 0.0,
+            ],
+            [
+                -0.25776611797120724, -0.17297569884952893, -0.05794438109558275, coupling_x1,
+                coupling_y1, coupling_z1, 0.0, 1.0, 0.0,
+            ],
+            [
+                -0.23893014622917852, -0.42481972953070996, 0.02522646067793359, coupling_x2,
+                coupling_y2, coupling_z2, 0.0, 0.0, 1.0,
+            ],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1, q_dot2] = *q_dot;
+
         // Translation: ω × (ω × m r + 2 m B q̇) (24 operations: 15 multiply-add, 9 multiply)
         let t1 = fma(-0.17297569884952893, q_dot1, -0.9001934196050294 * q_dot0);
         let t2 = fma(fma(-0.42481972953070996, q_dot2, t1), 2.0, fma(-omega_x, first_moment_z, omega_z * first_moment_x));
@@ -808,6 +851,12 @@ const _: () = {
         let modal_quadratic2 = fma(moment_yz2, t22, fma(moment_xz2, t23, fma(moment_xy2, t24, modal_quadratic2)));
         let modal_quadratic2 = fma(t19, whirl_z2, fma(t15, whirl_y2, fma(t11, whirl_x2, modal_quadratic2)));
 
+        *quadratic_velocity = [
+            t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1, modal_quadratic2,
+        ];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1, modal_force2] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (24 operations: 9 multiply-add, 3 multiply, 12 add)
         let t31 = fma(0.735813098445183, q2, fma(-0.3709670437145567, q1, 40.97972364521601 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - fma(0.40979723645216015, q_dot0, t31);
@@ -849,7 +898,7 @@ const _: () = {
         let t58 = fma(coupling_z1, modal_residual1, coupling_z0 * modal_residual0);
         let reduced_moment_z = moment_z - t21 - fma(coupling_z2, modal_residual2, t58);
 
-        // Rigid-body accelerations (90 operations: 61 multiply-add, 25 multiply, 1 add, 3 divide)
+        // Rigid-body accelerations (93 operations: 61 multiply-add, 28 multiply, 1 add, 3 divide)
         let t59 = fma(t41, 0.028180006971925246, first_moment_z + fma(-0.42481972953070996, coupling_x2, t47));
         let t60 = fma(-0.0021901949832171925, t41, first_moment_y - fma(0.02522646067793359, coupling_x2, t50));
         let t61 = fma(-0.015330768093777324, t59, t60);
@@ -890,73 +939,33 @@ const _: () = {
         let t96 = fma(-t94, t76, t95 * t83);
         let t97 = fma(t64, t91, fma(-t62, t92, fma(t46, t93, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t84, t84, t86 * fma(-t68, t87, t88 * t83)) * fma(-t84, t96, t86 * fma(-t94, t87, t97 * t83));
-        let angular_acceleration_y = 1.0 / t86 * fma(-t84, angular_acceleration_z, t96);
-        let t98 = fma(-t75, angular_acceleration_y, fma(-t68, angular_acceleration_z, t94));
-        let angular_acceleration_x = 1.0 / t82 * t98;
-        let acceleration_z = fma(-t72, angular_acceleration_y, fma(-t79, angular_acceleration_x, t91));
-        let acceleration_z = fma(-t65, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t73, angular_acceleration_y, fma(-t80, angular_acceleration_x, t92));
-        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t66, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t74, angular_acceleration_y, fma(-t81, angular_acceleration_x, t93));
-        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t67, angular_acceleration_z, acceleration_x));
+        let t98 = 1.0 / t86;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t84 * t98, t96 * t98);
+        let t99 = 1.0 / t82;
+        let angular_acceleration_x = fma(-(t75 * t99), angular_acceleration_y, fma(-angular_acceleration_z, t68 * t99, t94 * t99));
+        let acceleration_z = fma(-t72, angular_acceleration_y, fma(-t65, angular_acceleration_z, t91));
+        let acceleration_z = fma(-t79, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t73, angular_acceleration_y, fma(-t66, angular_acceleration_z, t92));
+        let acceleration_y = fma(0.015330768093777324, acceleration_z, fma(-t80, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t74, angular_acceleration_y, fma(-t67, angular_acceleration_z, t93));
+        let acceleration_x = fma(0.0021901949832171925, acceleration_z, fma(-t81, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(0.028180006971925246, acceleration_y, acceleration_x);
 
         // Modal accelerations (18 operations: 18 multiply-add)
-        let t99 = fma(0.9001934196050294, acceleration_y, fma(0.06409007611640456, acceleration_x, modal_residual0));
-        let t100 = fma(-coupling_x0, angular_acceleration_x, fma(0.10812284215722648, acceleration_z, t99));
-        let t101 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t100));
-        let t102 = fma(0.17297569884952893, acceleration_y, fma(0.25776611797120724, acceleration_x, modal_residual1));
-        let t103 = fma(-coupling_x1, angular_acceleration_x, fma(0.05794438109558275, acceleration_z, t102));
-        let t104 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t103));
-        let t105 = fma(0.42481972953070996, acceleration_y, fma(0.23893014622917852, acceleration_x, modal_residual2));
-        let t106 = fma(-coupling_x2, angular_acceleration_x, fma(-0.02522646067793359, acceleration_z, t105));
-        let t107 = fma(-coupling_z2, angular_acceleration_z, fma(-coupling_y2, angular_acceleration_y, t106));
+        let t100 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t101 = fma(0.10812284215722648, acceleration_z, fma(-coupling_x0, angular_acceleration_x, t100));
+        let t102 = fma(0.06409007611640456, acceleration_x, fma(0.9001934196050294, acceleration_y, t101));
+        let t103 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t104 = fma(0.05794438109558275, acceleration_z, fma(-coupling_x1, angular_acceleration_x, t103));
+        let t105 = fma(0.25776611797120724, acceleration_x, fma(0.17297569884952893, acceleration_y, t104));
+        let t106 = fma(-coupling_y2, angular_acceleration_y, fma(-coupling_z2, angular_acceleration_z, modal_residual2));
+        let t107 = fma(-0.02522646067793359, acceleration_z, fma(-coupling_x2, angular_acceleration_x, t106));
+        let t108 = fma(0.23893014622917852, acceleration_x, fma(0.42481972953070996, acceleration_y, t107));
 
-        (
-            [
-                [
-                    7.3591122239340905, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.06409007611640456,
-                    -0.25776611797120724, -0.23893014622917852,
-                ],
-                [
-                    0.0, 7.3591122239340905, 0.0, -first_moment_z, 0.0, first_moment_x, -0.9001934196050294,
-                    -0.17297569884952893, -0.42481972953070996,
-                ],
-                [
-                    0.0, 0.0, 7.3591122239340905, first_moment_y, -first_moment_x, 0.0, -0.10812284215722648,
-                    -0.05794438109558275, 0.02522646067793359,
-                ],
-                [
-                    0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
-                    coupling_x1, coupling_x2,
-                ],
-                [
-                    first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
-                    coupling_y1, coupling_y2,
-                ],
-                [
-                    -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
-                    coupling_z1, coupling_z2,
-                ],
-                [
-                    -0.06409007611640456, -0.9001934196050294, -0.10812284215722648, coupling_x0,
-                    coupling_y0, coupling_z0, 1.0, 0.0, 0.0,
-                ],
-                [
-                    -0.25776611797120724, -0.17297569884952893, -0.05794438109558275, coupling_x1,
-                    coupling_y1, coupling_z1, 0.0, 1.0, 0.0,
-                ],
-                [
-                    -0.23893014622917852, -0.42481972953070996, 0.02522646067793359, coupling_x2,
-                    coupling_y2, coupling_z2, 0.0, 0.0, 1.0,
-                ],
-            ],
-            [t5, t8, t9, t13, t17, t21, modal_quadratic0, modal_quadratic1, modal_quadratic2],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t101, t104, t107,
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t102, t105, t108,
+        ];
     }
 
     /// Kinetic energy.
@@ -1708,17 +1717,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
             force: &::ffrf::nalgebra::SVector<f64, 9>,
         ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f64>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::Vector3<f64>,
+            force: &::ffrf::nalgebra::SVector<f64, 9>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f64, 9, 9>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f64, 9>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f64, 9>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

@@ -194,12 +194,12 @@ const _: () = {
         let t13 = fma(-0.26448998962819253, t8, fma(-0.3842708618960716, t10, reduced_moment_z));
         let t14 = 0.17399879212622835 * fma(0.04504573338886274, t9, t13 * 0.12095522421586234);
         let angular_acceleration_z = 31.64636295717688 * fma(-0.01209622156065224, t12, t14);
-        let angular_acceleration_y = 5.747166332479738 * fma(-0.01209622156065224, angular_acceleration_z, t12);
-        let t15 = fma(0.021283564430568704, angular_acceleration_y, fma(0.15888272507988715, angular_acceleration_z, t9));
-        let angular_acceleration_x = 2.3439716312463332 * t15;
-        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t10));
-        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t8));
-        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t7));
+        let angular_acceleration_y = fma(-0.06951899730359606, angular_acceleration_z, t12 * 5.747166332479738);
+        let angular_acceleration_x = fma(0.3724166002823658, angular_acceleration_z, t9 * 2.3439716312463332);
+        let angular_acceleration_x = fma(0.04988807123705656, angular_acceleration_y, angular_acceleration_x);
+        let acceleration_x = fma(-0.0135715290870881, angular_acceleration_y, fma(-0.08088387906941395, angular_acceleration_z, t10));
+        let acceleration_y = fma(0.0135715290870881, angular_acceleration_x, fma(-0.055671606820772, angular_acceleration_z, t8));
+        let acceleration_z = fma(0.08088387906941395, angular_acceleration_x, fma(0.055671606820772, angular_acceleration_y, t7));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
@@ -213,14 +213,16 @@ const _: () = {
     /// Source: (203), (209).
     /// Cost: 60 operations: 33 multiply-add, 21 multiply, 6 add.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         _q: &[f64; 0],
         omega: &[f64; 3],
         _q_dot: &[f64; 0],
         force: &[f64; 6],
-    ) -> ([[f64; 6]; 6], [f64; 6], [f64; 6]) {
+        mass_matrix: &mut [[f64; 6]; 6],
+        quadratic_velocity: &mut [f64; 6],
+        acceleration: &mut [f64; 6],
+    ) {
         let [omega_x, omega_y, omega_z] = *omega;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z] = *force;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (12 operations: 6 multiply-add, 6 multiply)
         let t1 = fma(-0.06447691727380375, omega_x, 0.26448998962819253 * omega_z);
@@ -229,6 +231,25 @@ const _: () = {
         let t4 = fma(0.3842708618960716, omega_z, 0.06447691727380375 * omega_y);
         let t5 = fma(-omega_x, t2, omega_z * t4);
         let t6 = fma(-omega_y, t4, omega_x * t1);
+
+        *mass_matrix = [
+            [4.750895559377081, 0.0, 0.0, 0.0, 0.06447691727380375, 0.3842708618960716],
+            [0.0, 4.750895559377081, 0.0, -0.06447691727380375, 0.0, 0.26448998962819253],
+            [0.0, 0.0, 4.750895559377081, -0.3842708618960716, -0.26448998962819253, 0.0],
+            [
+                0.0, -0.06447691727380375, -0.3842708618960716, 0.45858269202621915,
+                0.00010941190558857311, -0.1624722586673698,
+            ],
+            [
+                0.06447691727380375, 0.0, -0.26448998962819253, 0.00010941190558857311,
+                1.4552003036948755, 0.11314727603440698,
+            ],
+            [
+                0.3842708618960716, 0.26448998962819253, 0.0, -0.1624722586673698, 0.11314727603440698,
+                1.6133596019654122,
+            ],
+        ];
+        support::keep_stores_above();
 
         // Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω (15 operations: 9 multiply-add, 6 multiply)
         let angular_momentum_x = fma(0.00010941190558857311, omega_y, 0.45858269202621915 * omega_x);
@@ -240,6 +261,10 @@ const _: () = {
         let t7 = fma(-omega_z, angular_momentum_y, omega_y * angular_momentum_z);
         let t8 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t9 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
+
+        *quadratic_velocity = [t3, t5, t6, t7, t8, t9];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z] = *force;
 
         // Modal forces f - Q_f - K q - D q̇ (6 operations: 6 add)
         let reduced_force_x = force_x - t3;
@@ -259,37 +284,17 @@ const _: () = {
         let t16 = fma(-0.26448998962819253, t11, fma(-0.3842708618960716, t13, reduced_moment_z));
         let t17 = 0.17399879212622835 * fma(0.04504573338886274, t12, t16 * 0.12095522421586234);
         let angular_acceleration_z = 31.64636295717688 * fma(-0.01209622156065224, t15, t17);
-        let angular_acceleration_y = 5.747166332479738 * fma(-0.01209622156065224, angular_acceleration_z, t15);
-        let t18 = fma(0.021283564430568704, angular_acceleration_y, fma(0.15888272507988715, angular_acceleration_z, t12));
-        let angular_acceleration_x = 2.3439716312463332 * t18;
-        let acceleration_x = fma(-0.08088387906941395, angular_acceleration_z, fma(-0.0135715290870881, angular_acceleration_y, t13));
-        let acceleration_y = fma(-0.055671606820772, angular_acceleration_z, fma(0.0135715290870881, angular_acceleration_x, t11));
-        let acceleration_z = fma(0.055671606820772, angular_acceleration_y, fma(0.08088387906941395, angular_acceleration_x, t10));
+        let angular_acceleration_y = fma(-0.06951899730359606, angular_acceleration_z, t15 * 5.747166332479738);
+        let angular_acceleration_x = fma(0.3724166002823658, angular_acceleration_z, t12 * 2.3439716312463332);
+        let angular_acceleration_x = fma(0.04988807123705656, angular_acceleration_y, angular_acceleration_x);
+        let acceleration_x = fma(-0.0135715290870881, angular_acceleration_y, fma(-0.08088387906941395, angular_acceleration_z, t13));
+        let acceleration_y = fma(0.0135715290870881, angular_acceleration_x, fma(-0.055671606820772, angular_acceleration_z, t11));
+        let acceleration_z = fma(0.08088387906941395, angular_acceleration_x, fma(0.055671606820772, angular_acceleration_y, t10));
 
-        (
-            [
-                [4.750895559377081, 0.0, 0.0, 0.0, 0.06447691727380375, 0.3842708618960716],
-                [0.0, 4.750895559377081, 0.0, -0.06447691727380375, 0.0, 0.26448998962819253],
-                [0.0, 0.0, 4.750895559377081, -0.3842708618960716, -0.26448998962819253, 0.0],
-                [
-                    0.0, -0.06447691727380375, -0.3842708618960716, 0.45858269202621915,
-                    0.00010941190558857311, -0.1624722586673698,
-                ],
-                [
-                    0.06447691727380375, 0.0, -0.26448998962819253, 0.00010941190558857311,
-                    1.4552003036948755, 0.11314727603440698,
-                ],
-                [
-                    0.3842708618960716, 0.26448998962819253, 0.0, -0.1624722586673698, 0.11314727603440698,
-                    1.6133596019654122,
-                ],
-            ],
-            [t3, t5, t6, t7, t8, t9],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z,
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z,
+        ];
     }
 
     /// Kinetic energy.
@@ -697,17 +702,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
             force: &::ffrf::nalgebra::SVector<f64, 6>,
         ) -> ::ffrf::EquationsOfMotion<0, 6, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 0>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 0>,
+            force: &::ffrf::nalgebra::SVector<f64, 6>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f64, 6, 6>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f64, 6>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f64, 6>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

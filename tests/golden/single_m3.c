@@ -8,8 +8,8 @@
  * Cost of one call:
  *   mass_matrix          207 operations: 93 multiply, 114 add
  *   quadratic_velocity   429 operations: 222 multiply, 207 add
- *   forward_dynamics     771 operations: 401 multiply, 367 add, 3 divide
- *   equations_of_motion  771 operations: 401 multiply, 367 add, 3 divide
+ *   forward_dynamics     774 operations: 404 multiply, 367 add, 3 divide
+ *   equations_of_motion  774 operations: 404 multiply, 367 add, 3 divide
  *   kinetic_energy       339 operations: 163 multiply, 176 add
  *   elastic_energy       21 operations: 13 multiply, 8 add
  *   linear_momentum      51 operations: 27 multiply, 24 add
@@ -520,7 +520,7 @@ void single_body_forward_dynamics(
     const float t50 = coupling_z0 * modal_residual0 + coupling_z1 * modal_residual1;
     const float reduced_moment_z = moment_z - t15 - (t50 + coupling_z2 * modal_residual2);
 
-    /* Rigid-body accelerations (150 operations: 86 multiply, 61 add, 3 divide) */
+    /* Rigid-body accelerations (153 operations: 89 multiply, 61 add, 3 divide) */
     const float t51 = t36 * 0.10775026f;
     const float t52 = t40 + t36 * -0.0037427307f;
     const float t53 = t52 * -0.10202844f;
@@ -554,27 +554,28 @@ void single_body_forward_dynamics(
     const float t81 = (reduced_moment_z + t38 * t75 - t67 * t77 + t69 * t79) * t62 - t80 * t72;
     const float t82 = (reduced_moment_y - t36 * t75 + t52 * t77 + t54 * t79) * t62 - t80 * t64;
     const float angular_acceleration_z = 1.0f / (t65 * t73 - t74 * t74) * (t65 * t81 - t74 * t82);
-    const float angular_acceleration_y = 1.0f / t65 * (t82 - t74 * angular_acceleration_z);
-    const float t83 = t80 - t71 * angular_acceleration_z - t63 * angular_acceleration_y;
-    const float angular_acceleration_x = 1.0f / t61 * t83;
-    float acceleration_z = t79 - t60 * angular_acceleration_x - t55 * angular_acceleration_y;
-    acceleration_z = acceleration_z - t70 * angular_acceleration_z;
-    float acceleration_y = t77 - t58 * angular_acceleration_x - t53 * angular_acceleration_y;
-    acceleration_y = acceleration_y - t68 * angular_acceleration_z - 0.036850277f * acceleration_z;
-    float acceleration_x = t75 - t56 * angular_acceleration_x - t51 * angular_acceleration_y;
-    acceleration_x = acceleration_x - t66 * angular_acceleration_z - 0.046799924f * acceleration_z;
+    const float t83 = 1.0f / t65;
+    const float angular_acceleration_y = t82 * t83 - angular_acceleration_z * (t74 * t83);
+    const float t84 = 1.0f / t61;
+    const float angular_acceleration_x = t80 * t84 - angular_acceleration_z * (t71 * t84) - t63 * t84 * angular_acceleration_y;
+    float acceleration_z = t79 - t70 * angular_acceleration_z - t55 * angular_acceleration_y;
+    acceleration_z = acceleration_z - t60 * angular_acceleration_x;
+    float acceleration_y = t77 - t68 * angular_acceleration_z - t53 * angular_acceleration_y;
+    acceleration_y = acceleration_y - t58 * angular_acceleration_x - 0.036850277f * acceleration_z;
+    float acceleration_x = t75 - t66 * angular_acceleration_z - t51 * angular_acceleration_y;
+    acceleration_x = acceleration_x - t56 * angular_acceleration_x - 0.046799924f * acceleration_z;
     acceleration_x = acceleration_x - -0.0037427307f * acceleration_y;
 
     /* Modal accelerations (36 operations: 18 multiply, 18 add) */
-    const float t84 = modal_residual0 - 0.6962052f * acceleration_x - 0.3785621f * acceleration_y;
-    const float t85 = t84 - -0.93608946f * acceleration_z - coupling_x0 * angular_acceleration_x;
-    const float t86 = t85 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
-    const float t87 = modal_residual1 - -0.4649262f * acceleration_x - 0.0741744f * acceleration_y;
-    const float t88 = t87 - -0.5361588f * acceleration_z - coupling_x1 * angular_acceleration_x;
-    const float t89 = t88 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
-    const float t90 = modal_residual2 - 0.42337617f * acceleration_x - -0.45901504f * acceleration_y;
-    const float t91 = t90 - -0.075348966f * acceleration_z - coupling_x2 * angular_acceleration_x;
-    const float t92 = t91 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
+    const float t85 = modal_residual0 - coupling_z0 * angular_acceleration_z - coupling_y0 * angular_acceleration_y;
+    const float t86 = t85 - coupling_x0 * angular_acceleration_x - -0.93608946f * acceleration_z;
+    const float t87 = t86 - 0.3785621f * acceleration_y - 0.6962052f * acceleration_x;
+    const float t88 = modal_residual1 - coupling_z1 * angular_acceleration_z - coupling_y1 * angular_acceleration_y;
+    const float t89 = t88 - coupling_x1 * angular_acceleration_x - -0.5361588f * acceleration_z;
+    const float t90 = t89 - 0.0741744f * acceleration_y - -0.4649262f * acceleration_x;
+    const float t91 = modal_residual2 - coupling_z2 * angular_acceleration_z - coupling_y2 * angular_acceleration_y;
+    const float t92 = t91 - coupling_x2 * angular_acceleration_x - -0.075348966f * acceleration_z;
+    const float t93 = t92 - -0.45901504f * acceleration_y - 0.42337617f * acceleration_x;
 
     acceleration[0] = acceleration_x;
     acceleration[1] = acceleration_y;
@@ -582,9 +583,9 @@ void single_body_forward_dynamics(
     acceleration[3] = angular_acceleration_x;
     acceleration[4] = angular_acceleration_y;
     acceleration[5] = angular_acceleration_z;
-    acceleration[6] = t86;
-    acceleration[7] = t89;
-    acceleration[8] = t92;
+    acceleration[6] = t87;
+    acceleration[7] = t90;
+    acceleration[8] = t93;
 }
 
 void single_body_equations_of_motion(
@@ -774,7 +775,7 @@ void single_body_equations_of_motion(
     const float t53 = coupling_z0 * modal_residual0 + coupling_z1 * modal_residual1;
     const float reduced_moment_z = moment_z - t18 - (t53 + coupling_z2 * modal_residual2);
 
-    /* Rigid-body accelerations (150 operations: 86 multiply, 61 add, 3 divide) */
+    /* Rigid-body accelerations (153 operations: 89 multiply, 61 add, 3 divide) */
     const float t54 = t39 * 0.10775026f;
     const float t55 = t43 + t39 * -0.0037427307f;
     const float t56 = t55 * -0.10202844f;
@@ -808,27 +809,28 @@ void single_body_equations_of_motion(
     const float t84 = (reduced_moment_z + t41 * t78 - t70 * t80 + t72 * t82) * t65 - t83 * t75;
     const float t85 = (reduced_moment_y - t39 * t78 + t55 * t80 + t57 * t82) * t65 - t83 * t67;
     const float angular_acceleration_z = 1.0f / (t68 * t76 - t77 * t77) * (t68 * t84 - t77 * t85);
-    const float angular_acceleration_y = 1.0f / t68 * (t85 - t77 * angular_acceleration_z);
-    const float t86 = t83 - t74 * angular_acceleration_z - t66 * angular_acceleration_y;
-    const float angular_acceleration_x = 1.0f / t64 * t86;
-    float acceleration_z = t82 - t63 * angular_acceleration_x - t58 * angular_acceleration_y;
-    acceleration_z = acceleration_z - t73 * angular_acceleration_z;
-    float acceleration_y = t80 - t61 * angular_acceleration_x - t56 * angular_acceleration_y;
-    acceleration_y = acceleration_y - t71 * angular_acceleration_z - 0.036850277f * acceleration_z;
-    float acceleration_x = t78 - t59 * angular_acceleration_x - t54 * angular_acceleration_y;
-    acceleration_x = acceleration_x - t69 * angular_acceleration_z - 0.046799924f * acceleration_z;
+    const float t86 = 1.0f / t68;
+    const float angular_acceleration_y = t85 * t86 - angular_acceleration_z * (t77 * t86);
+    const float t87 = 1.0f / t64;
+    const float angular_acceleration_x = t83 * t87 - angular_acceleration_z * (t74 * t87) - t66 * t87 * angular_acceleration_y;
+    float acceleration_z = t82 - t73 * angular_acceleration_z - t58 * angular_acceleration_y;
+    acceleration_z = acceleration_z - t63 * angular_acceleration_x;
+    float acceleration_y = t80 - t71 * angular_acceleration_z - t56 * angular_acceleration_y;
+    acceleration_y = acceleration_y - t61 * angular_acceleration_x - 0.036850277f * acceleration_z;
+    float acceleration_x = t78 - t69 * angular_acceleration_z - t54 * angular_acceleration_y;
+    acceleration_x = acceleration_x - t59 * angular_acceleration_x - 0.046799924f * acceleration_z;
     acceleration_x = acceleration_x - -0.0037427307f * acceleration_y;
 
     /* Modal accelerations (36 operations: 18 multiply, 18 add) */
-    const float t87 = modal_residual0 - 0.6962052f * acceleration_x - 0.3785621f * acceleration_y;
-    const float t88 = t87 - -0.93608946f * acceleration_z - coupling_x0 * angular_acceleration_x;
-    const float t89 = t88 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
-    const float t90 = modal_residual1 - -0.4649262f * acceleration_x - 0.0741744f * acceleration_y;
-    const float t91 = t90 - -0.5361588f * acceleration_z - coupling_x1 * angular_acceleration_x;
-    const float t92 = t91 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
-    const float t93 = modal_residual2 - 0.42337617f * acceleration_x - -0.45901504f * acceleration_y;
-    const float t94 = t93 - -0.075348966f * acceleration_z - coupling_x2 * angular_acceleration_x;
-    const float t95 = t94 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
+    const float t88 = modal_residual0 - coupling_z0 * angular_acceleration_z - coupling_y0 * angular_acceleration_y;
+    const float t89 = t88 - coupling_x0 * angular_acceleration_x - -0.93608946f * acceleration_z;
+    const float t90 = t89 - 0.3785621f * acceleration_y - 0.6962052f * acceleration_x;
+    const float t91 = modal_residual1 - coupling_z1 * angular_acceleration_z - coupling_y1 * angular_acceleration_y;
+    const float t92 = t91 - coupling_x1 * angular_acceleration_x - -0.5361588f * acceleration_z;
+    const float t93 = t92 - 0.0741744f * acceleration_y - -0.4649262f * acceleration_x;
+    const float t94 = modal_residual2 - coupling_z2 * angular_acceleration_z - coupling_y2 * angular_acceleration_y;
+    const float t95 = t94 - coupling_x2 * angular_acceleration_x - -0.075348966f * acceleration_z;
+    const float t96 = t95 - -0.45901504f * acceleration_y - 0.42337617f * acceleration_x;
 
     mass_matrix[0] = 10.160826f;
     mass_matrix[1] = 0.0f;
@@ -926,9 +928,9 @@ void single_body_equations_of_motion(
     acceleration[3] = angular_acceleration_x;
     acceleration[4] = angular_acceleration_y;
     acceleration[5] = angular_acceleration_z;
-    acceleration[6] = t89;
-    acceleration[7] = t92;
-    acceleration[8] = t95;
+    acceleration[6] = t90;
+    acceleration[7] = t93;
+    acceleration[8] = t96;
 }
 
 float single_body_kinetic_energy(

@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          207 operations: 93 multiply, 114 add
 //   quadratic_velocity   429 operations: 222 multiply, 207 add
-//   forward_dynamics     771 operations: 401 multiply, 367 add, 3 divide
-//   equations_of_motion  771 operations: 401 multiply, 367 add, 3 divide
+//   forward_dynamics     774 operations: 404 multiply, 367 add, 3 divide
+//   equations_of_motion  774 operations: 404 multiply, 367 add, 3 divide
 //   kinetic_energy       339 operations: 163 multiply, 176 add
 //   elastic_energy       21 operations: 13 multiply, 8 add
 //   linear_momentum      51 operations: 27 multiply, 24 add
@@ -325,7 +325,7 @@ const _: () = {
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 771 operations: 401 multiply, 367 add, 3 divide.
+    /// Cost: 774 operations: 404 multiply, 367 add, 3 divide.
     #[inline]
     fn forward_dynamics(q: &[f32; 3], omega: &[f32; 3], q_dot: &[f32; 3], force: &[f32; 9]) -> [f32; 9] {
         let [q0, q1, q2] = *q;
@@ -489,7 +489,7 @@ const _: () = {
         let t50 = coupling_z0 * modal_residual0 + coupling_z1 * modal_residual1;
         let reduced_moment_z = moment_z - t15 - (t50 + coupling_z2 * modal_residual2);
 
-        // Rigid-body accelerations (150 operations: 86 multiply, 61 add, 3 divide)
+        // Rigid-body accelerations (153 operations: 89 multiply, 61 add, 3 divide)
         let t51 = t36 * 0.10775026;
         let t52 = t40 + t36 * -0.0037427307;
         let t53 = t52 * -0.10202844;
@@ -523,31 +523,32 @@ const _: () = {
         let t81 = (reduced_moment_z + t38 * t75 - t67 * t77 + t69 * t79) * t62 - t80 * t72;
         let t82 = (reduced_moment_y - t36 * t75 + t52 * t77 + t54 * t79) * t62 - t80 * t64;
         let angular_acceleration_z = 1.0 / (t65 * t73 - t74 * t74) * (t65 * t81 - t74 * t82);
-        let angular_acceleration_y = 1.0 / t65 * (t82 - t74 * angular_acceleration_z);
-        let t83 = t80 - t71 * angular_acceleration_z - t63 * angular_acceleration_y;
-        let angular_acceleration_x = 1.0 / t61 * t83;
-        let acceleration_z = t79 - t60 * angular_acceleration_x - t55 * angular_acceleration_y;
-        let acceleration_z = acceleration_z - t70 * angular_acceleration_z;
-        let acceleration_y = t77 - t58 * angular_acceleration_x - t53 * angular_acceleration_y;
-        let acceleration_y = acceleration_y - t68 * angular_acceleration_z - 0.036850277 * acceleration_z;
-        let acceleration_x = t75 - t56 * angular_acceleration_x - t51 * angular_acceleration_y;
-        let acceleration_x = acceleration_x - t66 * angular_acceleration_z - 0.046799924 * acceleration_z;
+        let t83 = 1.0 / t65;
+        let angular_acceleration_y = t82 * t83 - angular_acceleration_z * (t74 * t83);
+        let t84 = 1.0 / t61;
+        let angular_acceleration_x = t80 * t84 - angular_acceleration_z * (t71 * t84) - t63 * t84 * angular_acceleration_y;
+        let acceleration_z = t79 - t70 * angular_acceleration_z - t55 * angular_acceleration_y;
+        let acceleration_z = acceleration_z - t60 * angular_acceleration_x;
+        let acceleration_y = t77 - t68 * angular_acceleration_z - t53 * angular_acceleration_y;
+        let acceleration_y = acceleration_y - t58 * angular_acceleration_x - 0.036850277 * acceleration_z;
+        let acceleration_x = t75 - t66 * angular_acceleration_z - t51 * angular_acceleration_y;
+        let acceleration_x = acceleration_x - t56 * angular_acceleration_x - 0.046799924 * acceleration_z;
         let acceleration_x = acceleration_x - -0.0037427307 * acceleration_y;
 
         // Modal accelerations (36 operations: 18 multiply, 18 add)
-        let t84 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
-        let t85 = t84 - -0.93608946 * acceleration_z - coupling_x0 * angular_acceleration_x;
-        let t86 = t85 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
-        let t87 = modal_residual1 - -0.4649262 * acceleration_x - 0.0741744 * acceleration_y;
-        let t88 = t87 - -0.5361588 * acceleration_z - coupling_x1 * angular_acceleration_x;
-        let t89 = t88 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
-        let t90 = modal_residual2 - 0.42337617 * acceleration_x - -0.45901504 * acceleration_y;
-        let t91 = t90 - -0.075348966 * acceleration_z - coupling_x2 * angular_acceleration_x;
-        let t92 = t91 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
+        let t85 = modal_residual0 - coupling_z0 * angular_acceleration_z - coupling_y0 * angular_acceleration_y;
+        let t86 = t85 - coupling_x0 * angular_acceleration_x - -0.93608946 * acceleration_z;
+        let t87 = t86 - 0.3785621 * acceleration_y - 0.6962052 * acceleration_x;
+        let t88 = modal_residual1 - coupling_z1 * angular_acceleration_z - coupling_y1 * angular_acceleration_y;
+        let t89 = t88 - coupling_x1 * angular_acceleration_x - -0.5361588 * acceleration_z;
+        let t90 = t89 - 0.0741744 * acceleration_y - -0.4649262 * acceleration_x;
+        let t91 = modal_residual2 - coupling_z2 * angular_acceleration_z - coupling_y2 * angular_acceleration_y;
+        let t92 = t91 - coupling_x2 * angular_acceleration_x - -0.075348966 * acceleration_z;
+        let t93 = t92 - -0.45901504 * acceleration_y - 0.42337617 * acceleration_x;
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t86, t89, t92,
+            angular_acceleration_y, angular_acceleration_z, t87, t90, t93,
         ]
     }
 
@@ -555,18 +556,18 @@ const _: () = {
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 771 operations: 401 multiply, 367 add, 3 divide.
+    /// Cost: 774 operations: 404 multiply, 367 add, 3 divide.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         q: &[f32; 3],
         omega: &[f32; 3],
         q_dot: &[f32; 3],
         force: &[f32; 9],
-    ) -> ([[f32; 9]; 9], [f32; 9], [f32; 9]) {
+        mass_matrix: &mut [[f32; 9]; 9],
+        quadratic_velocity: &mut [f32; 9],
+        acceleration: &mut [f32; 9],
+    ) {
         let [q0, q1, q2] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1, q_dot2] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1, modal_force2] = *force;
 
         // Deformed moments T_μ + q_ν T_νμ (129 operations: 63 multiply, 66 add)
         let moment_trace0 = 0.47350013 + q0;
@@ -621,6 +622,42 @@ const _: () = {
         let inertia_yz = -0.07467371 + change_yz * -0.5;
         let inertia_xz = -0.6668763 + change_xz * -0.5;
         let inertia_xy = 0.3309048 + change_xy * -0.5;
+
+        *mass_matrix = [
+            [
+                10.160826, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, 0.6962052, -0.4649262,
+                0.42337617,
+            ],
+            [
+                0.0, 10.160826, 0.0, -first_moment_z, 0.0, first_moment_x, 0.3785621, 0.0741744,
+                -0.45901504,
+            ],
+            [
+                0.0, 0.0, 10.160826, first_moment_y, -first_moment_x, 0.0, -0.93608946, -0.5361588,
+                -0.075348966,
+            ],
+            [
+                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                coupling_x1, coupling_x2,
+            ],
+            [
+                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                coupling_y1, coupling_y2,
+            ],
+            [
+                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                coupling_z1, coupling_z2,
+            ],
+            [0.6962052, 0.3785621, -0.93608946, coupling_x0, coupling_y0, coupling_z0, 1.0, 0.0, 0.0],
+            [-0.4649262, 0.0741744, -0.5361588, coupling_x1, coupling_y1, coupling_z1, 0.0, 1.0, 0.0],
+            [
+                0.42337617, -0.45901504, -0.075348966, coupling_x2, coupling_y2, coupling_z2, 0.0, 0.0,
+                1.0,
+            ],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1, q_dot2] = *q_dot;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (39 operations: 24 multiply, 15 add)
         let t1 = -0.93608946 * q_dot0 - 0.5361588 * q_dot1 - 0.075348966 * q_dot2;
@@ -688,6 +725,12 @@ const _: () = {
         let modal_quadratic2 = modal_quadratic2 + moment_xz2 * t26 + moment_yz2 * t27 + t10 * whirl_x2;
         let modal_quadratic2 = modal_quadratic2 + t13 * whirl_y2 + t16 * whirl_z2;
 
+        *quadratic_velocity = [
+            t5, t8, t9, t12, t15, t18, modal_quadratic0, modal_quadratic1, modal_quadratic2,
+        ];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1, modal_force2] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (33 operations: 12 multiply, 21 add)
         let t28 = 41.17243 * q0 - 0.6331419 * q1 - 0.8200979 * q2 + 0.41172427 * q_dot0;
         let modal_residual0 = modal_force0 - modal_quadratic0 - t28;
@@ -727,7 +770,7 @@ const _: () = {
         let t53 = coupling_z0 * modal_residual0 + coupling_z1 * modal_residual1;
         let reduced_moment_z = moment_z - t18 - (t53 + coupling_z2 * modal_residual2);
 
-        // Rigid-body accelerations (150 operations: 86 multiply, 61 add, 3 divide)
+        // Rigid-body accelerations (153 operations: 89 multiply, 61 add, 3 divide)
         let t54 = t39 * 0.10775026;
         let t55 = t43 + t39 * -0.0037427307;
         let t56 = t55 * -0.10202844;
@@ -761,67 +804,33 @@ const _: () = {
         let t84 = (reduced_moment_z + t41 * t78 - t70 * t80 + t72 * t82) * t65 - t83 * t75;
         let t85 = (reduced_moment_y - t39 * t78 + t55 * t80 + t57 * t82) * t65 - t83 * t67;
         let angular_acceleration_z = 1.0 / (t68 * t76 - t77 * t77) * (t68 * t84 - t77 * t85);
-        let angular_acceleration_y = 1.0 / t68 * (t85 - t77 * angular_acceleration_z);
-        let t86 = t83 - t74 * angular_acceleration_z - t66 * angular_acceleration_y;
-        let angular_acceleration_x = 1.0 / t64 * t86;
-        let acceleration_z = t82 - t63 * angular_acceleration_x - t58 * angular_acceleration_y;
-        let acceleration_z = acceleration_z - t73 * angular_acceleration_z;
-        let acceleration_y = t80 - t61 * angular_acceleration_x - t56 * angular_acceleration_y;
-        let acceleration_y = acceleration_y - t71 * angular_acceleration_z - 0.036850277 * acceleration_z;
-        let acceleration_x = t78 - t59 * angular_acceleration_x - t54 * angular_acceleration_y;
-        let acceleration_x = acceleration_x - t69 * angular_acceleration_z - 0.046799924 * acceleration_z;
+        let t86 = 1.0 / t68;
+        let angular_acceleration_y = t85 * t86 - angular_acceleration_z * (t77 * t86);
+        let t87 = 1.0 / t64;
+        let angular_acceleration_x = t83 * t87 - angular_acceleration_z * (t74 * t87) - t66 * t87 * angular_acceleration_y;
+        let acceleration_z = t82 - t73 * angular_acceleration_z - t58 * angular_acceleration_y;
+        let acceleration_z = acceleration_z - t63 * angular_acceleration_x;
+        let acceleration_y = t80 - t71 * angular_acceleration_z - t56 * angular_acceleration_y;
+        let acceleration_y = acceleration_y - t61 * angular_acceleration_x - 0.036850277 * acceleration_z;
+        let acceleration_x = t78 - t69 * angular_acceleration_z - t54 * angular_acceleration_y;
+        let acceleration_x = acceleration_x - t59 * angular_acceleration_x - 0.046799924 * acceleration_z;
         let acceleration_x = acceleration_x - -0.0037427307 * acceleration_y;
 
         // Modal accelerations (36 operations: 18 multiply, 18 add)
-        let t87 = modal_residual0 - 0.6962052 * acceleration_x - 0.3785621 * acceleration_y;
-        let t88 = t87 - -0.93608946 * acceleration_z - coupling_x0 * angular_acceleration_x;
-        let t89 = t88 - coupling_y0 * angular_acceleration_y - coupling_z0 * angular_acceleration_z;
-        let t90 = modal_residual1 - -0.4649262 * acceleration_x - 0.0741744 * acceleration_y;
-        let t91 = t90 - -0.5361588 * acceleration_z - coupling_x1 * angular_acceleration_x;
-        let t92 = t91 - coupling_y1 * angular_acceleration_y - coupling_z1 * angular_acceleration_z;
-        let t93 = modal_residual2 - 0.42337617 * acceleration_x - -0.45901504 * acceleration_y;
-        let t94 = t93 - -0.075348966 * acceleration_z - coupling_x2 * angular_acceleration_x;
-        let t95 = t94 - coupling_y2 * angular_acceleration_y - coupling_z2 * angular_acceleration_z;
+        let t88 = modal_residual0 - coupling_z0 * angular_acceleration_z - coupling_y0 * angular_acceleration_y;
+        let t89 = t88 - coupling_x0 * angular_acceleration_x - -0.93608946 * acceleration_z;
+        let t90 = t89 - 0.3785621 * acceleration_y - 0.6962052 * acceleration_x;
+        let t91 = modal_residual1 - coupling_z1 * angular_acceleration_z - coupling_y1 * angular_acceleration_y;
+        let t92 = t91 - coupling_x1 * angular_acceleration_x - -0.5361588 * acceleration_z;
+        let t93 = t92 - 0.0741744 * acceleration_y - -0.4649262 * acceleration_x;
+        let t94 = modal_residual2 - coupling_z2 * angular_acceleration_z - coupling_y2 * angular_acceleration_y;
+        let t95 = t94 - coupling_x2 * angular_acceleration_x - -0.075348966 * acceleration_z;
+        let t96 = t95 - -0.45901504 * acceleration_y - 0.42337617 * acceleration_x;
 
-        (
-            [
-                [
-                    10.160826, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, 0.6962052, -0.4649262,
-                    0.42337617,
-                ],
-                [
-                    0.0, 10.160826, 0.0, -first_moment_z, 0.0, first_moment_x, 0.3785621, 0.0741744,
-                    -0.45901504,
-                ],
-                [
-                    0.0, 0.0, 10.160826, first_moment_y, -first_moment_x, 0.0, -0.93608946, -0.5361588,
-                    -0.075348966,
-                ],
-                [
-                    0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
-                    coupling_x1, coupling_x2,
-                ],
-                [
-                    first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
-                    coupling_y1, coupling_y2,
-                ],
-                [
-                    -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
-                    coupling_z1, coupling_z2,
-                ],
-                [0.6962052, 0.3785621, -0.93608946, coupling_x0, coupling_y0, coupling_z0, 1.0, 0.0, 0.0],
-                [-0.4649262, 0.0741744, -0.5361588, coupling_x1, coupling_y1, coupling_z1, 0.0, 1.0, 0.0],
-                [
-                    0.42337617, -0.45901504, -0.075348966, coupling_x2, coupling_y2, coupling_z2, 0.0, 0.0,
-                    1.0,
-                ],
-            ],
-            [t5, t8, t9, t12, t15, t18, modal_quadratic0, modal_quadratic1, modal_quadratic2],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t89, t92, t95,
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t90, t93, t96,
+        ];
     }
 
     /// Kinetic energy.
@@ -1498,17 +1507,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f32>,
             force: &::ffrf::nalgebra::SVector<f32, 9>,
         ) -> ::ffrf::EquationsOfMotion<3, 9, f32> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::Vector3<f32>,
+            omega: &::ffrf::nalgebra::Vector3<f32>,
+            q_dot: &::ffrf::nalgebra::Vector3<f32>,
+            force: &::ffrf::nalgebra::SVector<f32, 9>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f32, 9, 9>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f32, 9>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f32, 9>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 

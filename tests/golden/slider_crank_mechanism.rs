@@ -15,7 +15,7 @@ pub struct SliderCrank<T: ::ffrf::generated_support::Number = f64> {
     pub gravity: ::ffrf::nalgebra::Vector3<T>,
     #[doc = "Drive of joint `main`."]
     pub motor: ::ffrf::mechanism::Drive<T>,
-    #[doc = "Force element `brake`."]
+    #[doc = "Force `brake`."]
     pub brake: ::ffrf::mechanism::Element<::ffrf::forces::TorsionSpring<T>, T>,
     #[doc = r" How joints are kept while time advances."]
     pub treatment: ::ffrf::mechanism::Treatment<T>,
@@ -31,7 +31,7 @@ const _: () = ::core::assert!(
     ::core::mem::size_of::<<Piston as ::ffrf::FlexibleBody<f64>>::Modal>() == 0,
     "body `piston` is said to be rigid, but its type has modes"
 );
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 8usize] =
@@ -56,7 +56,7 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
                 ])),
             ),
         });
-        support::connect::<T>(&mut connections, 1usize, 1, |_| ::ffrf::mechanism::Connection {
+        support::connect::<T>(&mut connections, 1usize, 1usize, |_| ::ffrf::mechanism::Connection {
             kind: ::ffrf::joints::JointKind::Angle(::ffrf::joints::Angle),
             first: ::ffrf::mechanism::Attachment::<T>::on_ground(
                 ::ffrf::nalgebra::Vector3::<T>::zeros(),
@@ -324,28 +324,29 @@ pub struct SliderCrankPorts<'a, T: ::ffrf::generated_support::Number = f64> {
     pub crank: ::ffrf::mechanism::BodyPort<
         'a,
         ::ffrf::RigidBody<T>,
-        [::ffrf::mechanism::AttachedRow<<::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal>; 11usize],
+        [::ffrf::mechanism::AttachedRows<<::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal, T>;
+            3usize],
         T,
     >,
     #[doc = "Body `rod`."]
     pub rod: ::ffrf::mechanism::BodyPort<
         'a,
         Rod,
-        [::ffrf::mechanism::AttachedRow<<Rod as ::ffrf::FlexibleBody<T>>::Modal>; 8usize],
+        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
         T,
     >,
     #[doc = "Body `piston`."]
     pub piston: ::ffrf::mechanism::BodyPort<
         'a,
         Piston,
-        [::ffrf::mechanism::AttachedRow<<Piston as ::ffrf::FlexibleBody<T>>::Modal>; 8usize],
+        [::ffrf::mechanism::AttachedRows<<Piston as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
         T,
     >,
     #[doc = "Body `links`."]
     pub links: [::ffrf::mechanism::BodyPort<
         'a,
         Rod,
-        [::ffrf::mechanism::AttachedRow<<Rod as ::ffrf::FlexibleBody<T>>::Modal>; 9usize],
+        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
         T,
     >; 3usize],
 }
@@ -386,13 +387,15 @@ impl<T: ::ffrf::generated_support::Number> ::ffrf::VectorSpace<T> for SliderCran
         }
     }
 }
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" Angle of the joint about its axis, within half a turn. Units: rad."]
     pub fn turn(&self, state: &SliderCrankState<T>) -> T {
         let ports = ::ffrf::mechanism::Assembly::<T>::ports(self, *state, ::core::option::Option::None);
-        let connection = &self.connections[0usize];
-        ::ffrf::forces::relative_angle(&connection.first.motion(&ports), &connection.second.motion(&ports))
+        ::ffrf::forces::relative_angle(
+            &self.connections[0usize].first.motion(&ports),
+            &self.connections[0usize].second.motion(&ports),
+        )
     }
     #[doc = "Moment of the joint on its second body, about the marker there, at `time` (s). Shape: 3. Units: N m. Frame: inertial."]
     #[doc = r""]
@@ -450,200 +453,296 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     unused_mut
 )]
 const _: () = {
-    use ::ffrf::mechanism::{
-        Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
-    };
-    static STEPS: [Step; 14usize] = [
-        Step { size: 6usize, unknowns: 30usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
-        Step { size: 4usize, unknowns: 64usize, diagonal: 60usize, couplings: 1usize, targets: 1usize },
-        Step { size: 6usize, unknowns: 24usize, diagonal: 116usize, couplings: 3usize, targets: 4usize },
-        Step { size: 4usize, unknowns: 60usize, diagonal: 176usize, couplings: 4usize, targets: 5usize },
-        Step { size: 6usize, unknowns: 18usize, diagonal: 236usize, couplings: 6usize, targets: 8usize },
-        Step { size: 5usize, unknowns: 55usize, diagonal: 302usize, couplings: 7usize, targets: 9usize },
-        Step { size: 6usize, unknowns: 6usize, diagonal: 327usize, couplings: 7usize, targets: 9usize },
-        Step { size: 3usize, unknowns: 47usize, diagonal: 411usize, couplings: 9usize, targets: 12usize },
-        Step { size: 6usize, unknowns: 12usize, diagonal: 453usize, couplings: 11usize, targets: 15usize },
-        Step { size: 5usize, unknowns: 50usize, diagonal: 549usize, couplings: 13usize, targets: 18usize },
-        Step { size: 6usize, unknowns: 0usize, diagonal: 599usize, couplings: 14usize, targets: 19usize },
-        Step { size: 1usize, unknowns: 41usize, diagonal: 701usize, couplings: 17usize, targets: 25usize },
-        Step { size: 5usize, unknowns: 36usize, diagonal: 712usize, couplings: 19usize, targets: 28usize },
-        Step { size: 5usize, unknowns: 42usize, diagonal: 762usize, couplings: 20usize, targets: 29usize },
+    use ::ffrf::mechanism as places;
+    static STEPS: [places::Step; 14usize] = [
+        places::Step {
+            size: 6usize,
+            node: 5usize,
+            diagonal: 0usize,
+            is_diagonal: false,
+            couplings: 0usize,
+            targets: 0usize,
+        },
+        places::Step {
+            size: 4usize,
+            node: 13usize,
+            diagonal: 2usize,
+            is_diagonal: false,
+            couplings: 1usize,
+            targets: 1usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 4usize,
+            diagonal: 5usize,
+            is_diagonal: false,
+            couplings: 3usize,
+            targets: 4usize,
+        },
+        places::Step {
+            size: 4usize,
+            node: 12usize,
+            diagonal: 7usize,
+            is_diagonal: false,
+            couplings: 4usize,
+            targets: 5usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 3usize,
+            diagonal: 10usize,
+            is_diagonal: false,
+            couplings: 6usize,
+            targets: 8usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 11usize,
+            diagonal: 12usize,
+            is_diagonal: false,
+            couplings: 7usize,
+            targets: 9usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 1usize,
+            diagonal: 13usize,
+            is_diagonal: false,
+            couplings: 7usize,
+            targets: 9usize,
+        },
+        places::Step {
+            size: 3usize,
+            node: 9usize,
+            diagonal: 16usize,
+            is_diagonal: false,
+            couplings: 9usize,
+            targets: 12usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 2usize,
+            diagonal: 19usize,
+            is_diagonal: false,
+            couplings: 11usize,
+            targets: 15usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 10usize,
+            diagonal: 22usize,
+            is_diagonal: false,
+            couplings: 13usize,
+            targets: 18usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 0usize,
+            diagonal: 24usize,
+            is_diagonal: true,
+            couplings: 14usize,
+            targets: 19usize,
+        },
+        places::Step {
+            size: 1usize,
+            node: 7usize,
+            diagonal: 28usize,
+            is_diagonal: false,
+            couplings: 17usize,
+            targets: 25usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 6usize,
+            diagonal: 31usize,
+            is_diagonal: false,
+            couplings: 19usize,
+            targets: 28usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 8usize,
+            diagonal: 33usize,
+            is_diagonal: false,
+            couplings: 20usize,
+            targets: 29usize,
+        },
     ];
-    static COUPLINGS: [Coupling; 20usize] = [
-        Coupling { size: 4usize, unknowns: 64usize },
-        Coupling { size: 6usize, unknowns: 24usize },
-        Coupling { size: 4usize, unknowns: 60usize },
-        Coupling { size: 4usize, unknowns: 60usize },
-        Coupling { size: 6usize, unknowns: 18usize },
-        Coupling { size: 5usize, unknowns: 55usize },
-        Coupling { size: 5usize, unknowns: 55usize },
-        Coupling { size: 3usize, unknowns: 47usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 6usize, unknowns: 12usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 50usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 1usize, unknowns: 41usize },
-        Coupling { size: 5usize, unknowns: 36usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 36usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 42usize },
+    static COUPLINGS: [places::Coupling; 20usize] = [
+        places::Coupling { size: 4usize, node: 13usize },
+        places::Coupling { size: 6usize, node: 4usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 6usize, node: 3usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 3usize, node: 9usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 6usize, node: 2usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 10usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 7usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 8usize },
     ];
     static TARGETS: [usize; 29usize] = [
-        60usize, 116usize, 152usize, 176usize, 176usize, 236usize, 272usize, 302usize, 302usize, 411usize,
-        438usize, 762usize, 453usize, 519usize, 762usize, 549usize, 574usize, 762usize, 762usize, 701usize,
-        702usize, 712usize, 707usize, 737usize, 762usize, 712usize, 737usize, 762usize, 762usize,
+        2usize, 5usize, 6usize, 7usize, 7usize, 10usize, 11usize, 12usize, 12usize, 16usize, 18usize,
+        33usize, 19usize, 21usize, 33usize, 22usize, 23usize, 33usize, 33usize, 28usize, 29usize, 31usize,
+        30usize, 32usize, 33usize, 31usize, 32usize, 33usize, 33usize,
     ];
-    static BODIES: [BodyPlace; 6usize] = [
-        BodyPlace { unknowns: 0usize, diagonal: 599usize },
-        BodyPlace { unknowns: 6usize, diagonal: 327usize },
-        BodyPlace { unknowns: 12usize, diagonal: 453usize },
-        BodyPlace { unknowns: 18usize, diagonal: 236usize },
-        BodyPlace { unknowns: 24usize, diagonal: 116usize },
-        BodyPlace { unknowns: 30usize, diagonal: 0usize },
+    static BODIES: [places::BodyPlace; 6usize] = [
+        places::BodyPlace { node: 0usize, diagonal: 24usize },
+        places::BodyPlace { node: 1usize, diagonal: 13usize },
+        places::BodyPlace { node: 2usize, diagonal: 19usize },
+        places::BodyPlace { node: 3usize, diagonal: 10usize },
+        places::BodyPlace { node: 4usize, diagonal: 5usize },
+        places::BodyPlace { node: 5usize, diagonal: 0usize },
     ];
-    static JOINTS: [JointPlace; 8usize] = [
-        JointPlace {
+    static JOINTS: [places::JointPlace; 8usize] = [
+        places::JointPlace {
             rows: 5usize,
-            unknowns: 36usize,
-            diagonal: 712usize,
+            node: 6usize,
+            diagonal: 31usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 0usize,
-                    block: Block { start: 641usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 26usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 1usize,
-            unknowns: 41usize,
-            diagonal: 701usize,
+            node: 7usize,
+            diagonal: 28usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
-                    slot: 5usize,
-                    block: Block { start: 635usize, columns: 6usize, transposed: false },
+                    slot: 1usize,
+                    block: places::Block { index: 25usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
-            unknowns: 42usize,
-            diagonal: 762usize,
+            node: 8usize,
+            diagonal: 33usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
-                    slot: 6usize,
-                    block: Block { start: 671usize, columns: 6usize, transposed: false },
+                    slot: 2usize,
+                    block: places::Block { index: 27usize, transposed: false },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
                     slot: 0usize,
-                    block: Block { start: 381usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 15usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 3usize,
-            unknowns: 47usize,
-            diagonal: 411usize,
+            node: 9usize,
+            diagonal: 16usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
-                    slot: 5usize,
-                    block: Block { start: 363usize, columns: 6usize, transposed: false },
+                    slot: 1usize,
+                    block: places::Block { index: 14usize, transposed: false },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
                     slot: 0usize,
-                    block: Block { start: 420usize, columns: 3usize, transposed: true },
+                    block: places::Block { index: 17usize, transposed: true },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
-            unknowns: 50usize,
-            diagonal: 549usize,
+            node: 10usize,
+            diagonal: 22usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
-                    slot: 3usize,
-                    block: Block { start: 489usize, columns: 6usize, transposed: false },
+                    slot: 1usize,
+                    block: places::Block { index: 20usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
-            unknowns: 55usize,
-            diagonal: 302usize,
+            node: 11usize,
+            diagonal: 12usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
                     slot: 0usize,
-                    block: Block { start: 272usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 11usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 4usize,
-            unknowns: 60usize,
-            diagonal: 176usize,
+            node: 12usize,
+            diagonal: 7usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
-                    slot: 5usize,
-                    block: Block { start: 192usize, columns: 4usize, transposed: true },
+                    slot: 1usize,
+                    block: places::Block { index: 8usize, transposed: true },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
                     slot: 0usize,
-                    block: Block { start: 152usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 4usize,
-            unknowns: 64usize,
-            diagonal: 60usize,
+            node: 13usize,
+            diagonal: 2usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
-                    slot: 4usize,
-                    block: Block { start: 76usize, columns: 4usize, transposed: true },
+                    slot: 1usize,
+                    block: places::Block { index: 3usize, transposed: true },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 5usize,
                     slot: 0usize,
-                    block: Block { start: 36usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 1usize, transposed: false },
                 }),
             ],
         },
     ];
-    static SHARED: [SharedPlace; 3usize] = [
-        SharedPlace {
+    static SHARED: [places::SharedPlace; 3usize] = [
+        places::SharedPlace {
             body: 1usize,
-            first: (5usize, 3usize),
-            second: (0usize, 5usize),
-            block: Block { start: 438usize, columns: 3usize, transposed: true },
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 18usize, transposed: true },
         },
-        SharedPlace {
+        places::SharedPlace {
             body: 3usize,
-            first: (5usize, 4usize),
-            second: (0usize, 5usize),
-            block: Block { start: 216usize, columns: 4usize, transposed: true },
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 9usize, transposed: true },
         },
-        SharedPlace {
+        places::SharedPlace {
             body: 4usize,
-            first: (4usize, 4usize),
-            second: (0usize, 4usize),
-            block: Block { start: 100usize, columns: 4usize, transposed: true },
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 4usize, transposed: true },
         },
     ];
     use ::ffrf::generated_support::mechanism as support;
@@ -680,6 +779,7 @@ const _: () = {
     impl<T: ::ffrf::generated_support::Number> ::ffrf::mechanism::Assembly<T> for SliderCrank<T> {
         type State = SliderCrankState<T>;
         type Increment = SliderCrankIncrement<T>;
+        type Modes = ();
         type Ports<'a>
             = SliderCrankPorts<'a, T>
         where
@@ -767,28 +867,16 @@ const _: () = {
         }
         fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
             for port in ::core::slice::from_mut(&mut ports.crank) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
             for port in ::core::slice::from_mut(&mut ports.rod) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
             for port in ::core::slice::from_mut(&mut ports.piston) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
             for port in ports.links.as_mut_slice() {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
         }
         fn state(&self, ports: Self::Ports<'_>) -> Self::State {
@@ -802,17 +890,24 @@ const _: () = {
         fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, T>) -> R) -> R {
             let still = support::still::<T>();
             use_it(&mut ::ffrf::mechanism::Storage {
-                values: &mut [::ffrf::generated_support::constant::<T>(0.0); 1574usize],
-                solution: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
-                right: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
-                shift: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
+                blocks: &mut [[[::ffrf::generated_support::constant::<T>(0.0); 6]; 6]; 34usize],
+                solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 8usize],
                 ends: &mut [[still; 2]; 8usize],
+                used: false,
             })
         }
-        fn plan(&self) -> Plan<'_> {
-            Plan {
-                elimination: Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+        fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
+            places::Plan {
+                elimination: places::Elimination {
+                    steps: &STEPS,
+                    leading: 1usize,
+                    couplings: &COUPLINGS,
+                    targets: &TARGETS,
+                },
                 bodies: &BODIES,
                 joints: &JOINTS,
                 shared: &SHARED,
@@ -828,9 +923,10 @@ const _: () = {
             }
         }
         fn drive(&self, joint: usize, time: T) -> [T; 3] {
+            let none = [::ffrf::generated_support::constant::<T>(0.0); 3];
             match joint {
                 1usize => self.motor.at(time),
-                _ => [::ffrf::generated_support::constant::<T>(0.0); 3],
+                _ => none,
             }
         }
         fn load(&self, time: T, ports: &mut Self::Ports<'_>) {

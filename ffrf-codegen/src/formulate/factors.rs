@@ -88,10 +88,11 @@ pub(super) fn solve_with_divisions_deferred(
     let z = graph.multiply(pivot, z);
     let z = minus_products(graph, z, [(yz, y)]);
     let z = graph.multiply(z, third);
+    // Rows are divided before the unknowns to the right are known: one operation a row is left to wait for.
+    let [y, yz] = [y, yz].map(|entry| graph.multiply(entry, second));
+    let [x, xz, xy] = [x, xz, xy].map(|entry| graph.multiply(entry, first));
     let y = minus_products(graph, y, [(yz, z)]);
-    let y = graph.multiply(y, second);
     let x = minus_products(graph, x, [(xz, z), (xy, y)]);
-    let x = graph.multiply(x, first);
     [x, y, z]
 }
 

@@ -82,8 +82,9 @@ pub fn forward_dynamics(
     let scale = scale(graph, &body.inertia);
     let angular = solve_with_divisions_deferred(graph, &remaining, scale, remaining_moment);
     label3(graph, angular, "angular_acceleration");
+    // Unknowns enter in the order in which they are found, so that little is left to do behind the last one.
     let linear = [0, 1, 2].map(|i| {
-        let terms = (0..3).map(|j| (shift[j][i], angular[j]));
+        let terms = (0..3).rev().map(|j| (shift[j][i], angular[j]));
         minus_products(graph, drift[i], terms)
     });
     let linear = mass.backward(graph, linear);
@@ -91,7 +92,7 @@ pub fn forward_dynamics(
 
     graph.section("Modal accelerations");
     let corrections: Vec<(&Prepared, Expression)> =
-        translation.iter().zip(linear).chain(rotation.iter().zip(angular)).collect();
+        translation.iter().zip(linear).chain(rotation.iter().zip(angular)).rev().collect();
     let modal_acceleration = modal_mass.solve(graph, &modal, &corrections);
     Ok(linear.into_iter().chain(angular).chain(modal_acceleration).collect())
 }

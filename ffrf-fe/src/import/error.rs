@@ -42,7 +42,7 @@ pub enum ImportError {
         found: String,
     },
     /// A binary array (`.npy`, `.npz`) is not what is asked for.
-    #[error("{}: array `{array}`: expected {expected}, found {found}", shown(path))]
+    #[error("{}: {}expected {expected}, found {found}", shown(path), named_array(array))]
     Array {
         /// The file.
         path: PathBuf,
@@ -339,6 +339,11 @@ pub enum ImportError {
         /// Id of the first of them.
         first: u64,
     },
+}
+
+/// The array of an archive that a message is about; a `.npy` file has one without a name.
+fn named_array(array: &str) -> String {
+    if array.is_empty() { String::new() } else { format!("array `{array}`: ") }
 }
 
 /// A path with its control characters escaped.

@@ -74,18 +74,22 @@ pub fn read_model_with(files: &ModelFiles, options: &ImportOptions) -> Result<Im
     let (mut table, sources) = read_nodes(&files.nodes, options, &mut notes)?;
     let troubles = std::mem::take(&mut table.troubles);
     let of_kind = |kind| troubles.iter().find(|trouble| trouble.kind == kind).cloned();
-    let (internal, singular) = (of_kind(TroubleKind::InternalNodes), of_kind(TroubleKind::SingularMass));
-    read_matrices(files, table, sources, singular, options, notes).map_err(|fault| match internal {
-        Some(ElementTrouble { element, path, line, .. }) if is_about_rows(&fault) => {
-            let reason =
-                "CalculiX writes rows for internal nodes that the deck does not know; use C3D8 or C3D20";
+    let singular = of_kind(TroubleKind::SingularMass);
+    let rows = of_kind(TroubleKind::InternalNodes).or(of_kind(TroubleKind::Rotations));
+    read_matrices(files, table, sources, singular, options, notes).map_err(|fault| match rows {
+        Some(ElementTrouble { element, path, line, kind }) if is_about_rows(&fault) => {
+            let reason = if kind == TroubleKind::Rotations {
+                "its nodes have rotations or are expanded, and only rows of displacements are read; use solid elements"
+            } else {
+                "CalculiX writes rows for internal nodes that the deck does not know; use C3D8 or C3D20"
+            };
             ImportError::ElementType { path, line, element, reason, fault: Box::new(fault) }
         }
         _ => fault,
     })
 }
 
-/// Whether internal nodes in the matrices can be the cause of an error.
+/// Whether rows that an element type adds to the matrices can be the cause of an error.
 fn is_about_rows(fault: &ImportError) -> bool {
     matches!(
         fault,

@@ -17,6 +17,8 @@ pub struct SceneCheck {
     pub rows: usize,
     /// Names of rows that say nothing new here: joint and what it holds.
     pub redundant: Vec<String>,
+    /// Bodies that no joint holds.
+    pub flying: Vec<String>,
     /// What is left to move.
     pub degrees_of_freedom: usize,
     /// For each joint, the largest residual of the file's state: position (m or rad) and velocity.
@@ -38,7 +40,7 @@ pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
             let joints = storage.rows.iter().zip(storage.ends.iter());
             joints
                 .map(|(rows, [first, second])| {
-                    rows.as_slice().iter().fold([0.0_f64; 2], |largest, row| {
+                    rows.iter().fold([0.0_f64; 2], |largest, row| {
                         [
                             largest[0].max(row.residual.abs()),
                             largest[1].max(row.velocity(first, second).abs()),
@@ -58,7 +60,16 @@ pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
     let redundant = redundant(&gradients, &names);
     let velocities = mechanism.bodies().iter().map(|body| 6 + body.mode_count()).sum();
     let rows = names.len();
+    let held = |body: usize| {
+        mechanism
+            .connections()
+            .iter()
+            .any(|joint| [joint.first.body, joint.second.body].contains(&Some(body)))
+    };
+    let names = scene.body_names.iter().enumerate();
+    let flying = names.filter(|(body, _)| !held(*body)).map(|(_, name)| name.clone()).collect();
     Ok(SceneCheck {
+        flying,
         velocities,
         rows,
         degrees_of_freedom: velocities + redundant.len() - rows,
@@ -90,7 +101,7 @@ fn gradients(
     Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage, _| {
         let (mut gradients, mut names) = (Vec::new(), Vec::new());
         for (index, connection) in mechanism.connections().iter().enumerate() {
-            for (k, row) in storage.rows[index].as_slice().iter().enumerate() {
+            for (k, row) in storage.rows[index].iter().enumerate() {
                 let mut gradient = DVector::zeros(total);
                 let ends = [(&connection.first, &row.first), (&connection.second, &row.second)];
                 for (attachment, wrench) in ends {

@@ -150,7 +150,7 @@ pub(crate) fn total_energy(
 fn residuals(storage: &Storage<'_, f64>) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];
     for (rows, [first, second]) in storage.rows.iter().zip(storage.ends.iter()) {
-        for row in rows.as_slice() {
+        for row in rows.iter() {
             largest[0] = largest[0].max(row.residual.abs());
             largest[1] = largest[1].max(row.velocity(first, second).abs());
         }

@@ -45,7 +45,7 @@ impl StaticCost {
             };
             // Θ_ff behind the frame and behind each row: a rank-one update of the six by six block for each mode, and the
             // product of each row with the modes, with the frame, and with the other rows
-            let (m, r) = (modes as f64, *rows as f64);
+            let (m, r) = (modes as f64, rows as f64);
             cost.operations += m * (2.0 * 21.0 + 12.0) + r * (2.0 * m * 8.0 + 2.0 * 36.0) + r * r * m;
         }
         Ok(cost)

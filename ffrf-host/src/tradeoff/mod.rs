@@ -14,6 +14,7 @@ mod cost;
 mod effort;
 mod error;
 mod front;
+mod march;
 mod outcome;
 mod plan;
 mod reference;

@@ -8,10 +8,11 @@ use nalgebra::{RealField, try_convert};
 
 use super::channel::{Channel, Source};
 use super::effort::Stopwatch;
+use super::march::March;
 use super::study::Variant;
 use crate::mechanism::HostMechanism;
 use crate::scene::Settings;
-use crate::simulate::{Advance, read_sensor, total_energy};
+use crate::simulate::{read_sensor, total_energy};
 use crate::{HostBody, HostModal};
 
 /// The channels at each time, one after the other.
@@ -47,7 +48,7 @@ pub(super) fn trajectory<T: RealField + Copy>(
     let exact = variant.scene.mechanism.cast::<f64>().with_treatment(settings.treatment);
     let mechanism: HostMechanism<T> = exact.cast();
     let mut state = cast_states(&mechanism, &variant.initial);
-    let mut advance = Advance::<T>::new(settings);
+    let mut march = March::<T>::new(settings);
     let mut angles = vec![None; channels.len()];
     let mut values = Vec::with_capacity(times.len());
     let watch = Stopwatch::start();
@@ -55,7 +56,7 @@ pub(super) fn trajectory<T: RealField + Copy>(
     let mut before = 0.0;
     for (index, time) in times.iter().enumerate() {
         if index > 0 {
-            state = advance.in_space(&mechanism, settings, state, before, *time)?;
+            state = march.to(&mechanism, settings, state, before, *time)?;
         }
         before = *time;
         let pause = Instant::now();
@@ -67,9 +68,9 @@ pub(super) fn trajectory<T: RealField + Copy>(
     }
     let share = 1.0 - sampling.as_secs_f64() / begin.elapsed().as_secs_f64().max(f64::MIN_POSITIVE);
     let steps = Steps {
-        accepted: advance.steps,
-        refused: advance.refused,
-        iterations: advance.iterations_in_all,
+        accepted: march.steps,
+        refused: march.refused,
+        iterations: march.iterations,
         seconds: watch.seconds() * share.max(0.0),
     };
     Ok((History { values }, steps))

@@ -15,6 +15,18 @@ pub struct EquationsOfMotion<const M: usize, const N: usize, T = f64> {
     pub acceleration: SVector<T, N>,
 }
 
+impl<const M: usize, const N: usize, T: RealField + Copy> EquationsOfMotion<M, N, T> {
+    /// Zero everywhere: places to write to.
+    #[inline]
+    pub fn zeros() -> Self {
+        Self {
+            mass_matrix: SMatrix::zeros(),
+            quadratic_velocity: SVector::zeros(),
+            acceleration: SVector::zeros(),
+        }
+    }
+}
+
 /// The equations of motion of a body with `M` modes and `N` = 6 + `M` velocities as dense matrices.
 pub trait DenseForms<const M: usize, const N: usize, T: RealField + Copy = f64>:
     FlexibleBody<T, Modal = SVector<T, M>>

@@ -130,20 +130,21 @@ impl<T: RealField + Copy, S: ConservingSystem<T>, L: Fn(&S::State) -> Departure>
 impl<T: RealField + Copy, S: ExponentialSystem<T>, L: Fn(&S::State) -> Departure> ExponentialSystem<T>
     for Watched<'_, S, L>
 {
-    fn vibration_rates(&self, state: &S::State) -> Result<S::Increment, StepError> {
-        self.system.vibration_rates(state)
+    type Modes = S::Modes;
+
+    fn modes(&self, step: T) -> Result<S::Modes, StepError> {
+        self.system.modes(step)
     }
 
-    fn free_vibration(&self, state: &S::State, step: T) -> Result<S::Increment, StepError> {
-        self.system.free_vibration(state, step)
+    fn vibration_rates(&self, modes: &S::Modes, state: &S::State) -> S::Increment {
+        self.system.vibration_rates(modes, state)
     }
 
-    fn forced_vibration(
-        &self,
-        rates: &S::Increment,
-        step: T,
-        forcing: Forcing,
-    ) -> Result<S::Increment, StepError> {
-        self.system.forced_vibration(rates, step, forcing)
+    fn free_vibration(&self, modes: &S::Modes, state: &S::State) -> S::Increment {
+        self.system.free_vibration(modes, state)
+    }
+
+    fn forced_vibration(&self, modes: &S::Modes, rates: &S::Increment, forcing: Forcing) -> S::Increment {
+        self.system.forced_vibration(modes, rates, forcing)
     }
 }

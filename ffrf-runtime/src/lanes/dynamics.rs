@@ -1,9 +1,10 @@
 //! The kernels with accelerations: modes eliminated first, then translation, then rotation.
 
 use super::equations::{State, accumulate, sums};
-use super::rigid::{dot, subtract};
+use super::factors::solve_with_divisions_deferred;
+use super::rigid::{subtract, subtract_dot};
 use super::scalar::{Register, four, grouped, groups, stored, ungroup};
-use super::{Factors, LaneBody, Lanes, ModalFactors, Scalar};
+use super::{LaneBody, Lanes, ModalFactors, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
     /// Mass matrix M(q), columns of N = 6 + M entries. Source: (203).
@@ -142,7 +143,7 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
         let angular;
         if self.first_moment.is_none() && self.modal_first_moment.is_none() {
             translation = mass.weigh(translation);
-            angular = Factors::new(schur, scale).solve(rotation);
+            angular = solve_with_divisions_deferred(schur, scale, rotation);
         } else {
             // Columns of -m r̃ - m B Θ_ff⁻¹ Θ_rfᵀ.
             let [x, y, z] = state.first_moment;
@@ -160,24 +161,29 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             let moved = columns.map(|column| mass.weigh(column));
             translation = mass.weigh(mass.forward(translation));
             for (k, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
-                schur[k] -= dot(columns[i], moved[j]);
+                schur[k] = subtract_dot(schur[k], columns[i], moved[j]);
             }
             for axis in 0..3 {
-                rotation[axis] -= dot(columns[axis], translation);
+                rotation[axis] = subtract_dot(rotation[axis], columns[axis], translation);
             }
-            angular = Factors::new(schur, scale).solve(rotation);
+            angular = solve_with_divisions_deferred(schur, scale, rotation);
+            // Unknowns enter in the order in which they are found, so that little is left to do behind the last one.
             for axis in 0..3 {
-                translation[axis] -= dot([moved[0][axis], moved[1][axis], moved[2][axis]], angular);
+                let row = [2, 1, 0].map(|k: usize| moved[k][axis]);
+                translation[axis] =
+                    subtract_dot(translation[axis], row, [2, 1, 0].map(|k: usize| angular[k]));
             }
             translation = mass.backward(translation);
         }
 
         let (along, about) = (translation.map(Register::<T>::splat), angular.map(Register::<T>::splat));
         for g in 0..G {
-            for axis in 0..3 {
+            for axis in [2, 1, 0] {
                 let row = Register::<T>::load(&coupling[axis][g]);
                 modal[g] = row.subtract_from(about[axis], modal[g]);
-                if let Some(moments) = self.eliminated_first_moment {
+            }
+            if let Some(moments) = self.eliminated_first_moment {
+                for axis in [2, 1, 0] {
                     modal[g] = four::<T>(&moments[g][axis]).subtract_from(along[axis], modal[g]);
                 }
             }

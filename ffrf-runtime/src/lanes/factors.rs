@@ -69,12 +69,30 @@ impl<T: Scalar> Factors<T> {
         let y = (-zy).multiply_add(z, y);
         [(-yx).multiply_add(y, (-zx).multiply_add(z, x)), y, z]
     }
+}
 
-    /// S⁻¹ v
-    #[inline(always)]
-    pub(super) fn solve(&self, v: [T; 3]) -> [T; 3] {
-        self.backward(self.weigh(self.forward(v)))
-    }
+/// S⁻¹ v for S: xx, yy, zz, xy, xz, yz. The elimination of [`Factors::new`], `scale` as there, with the right-hand side
+/// along with the matrix, so that little is left to do behind the last division.
+#[inline(always)]
+pub(super) fn solve_with_divisions_deferred<T: Scalar>(
+    [xx, yy, zz, xy, xz, yz]: [T; 6],
+    scale: T,
+    [x, y, z]: [T; 3],
+) -> [T; 3] {
+    let [pivot, scaled_y, scaled_z] = [xx, xy, xz].map(|entry| entry * scale);
+    let yy = pivot.multiply_add(yy, -(scaled_y * xy));
+    let yz = pivot.multiply_add(yz, -(scaled_y * xz));
+    let zz = pivot.multiply_add(zz, -(scaled_z * xz));
+    let y = pivot.multiply_add(y, -(scaled_y * x));
+    let z = pivot.multiply_add(z, -(scaled_z * x));
+    let [first, second] = [xx, yy].map(|pivot| T::one() / pivot);
+    let third = T::one() / yy.multiply_add(zz, -(yz * yz));
+    let z = yy.multiply_add(z, -(yz * y)) * third;
+    // Rows are divided before the unknowns to the right are known: one operation a row is left to wait for.
+    let [y, yz] = [y, yz].map(|entry| entry * second);
+    let [x, xz, xy] = [x, xz, xy].map(|entry| entry * first);
+    let y = (-yz).multiply_add(z, y);
+    [(-xy).multiply_add(y, (-xz).multiply_add(z, x)), y, z]
 }
 
 #[cfg(test)]
@@ -89,8 +107,11 @@ mod tests {
             let factors = Factors::new(matrix, scale);
             for axis in 0..3 {
                 let unit: [f64; 3] = core::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
-                let back = times(matrix, factors.solve(unit));
-                assert!(subtract(back, unit).iter().all(|x| x.abs() < 4.0 * f64::EPSILON), "{back:?}");
+                let by_factors = factors.backward(factors.weigh(factors.forward(unit)));
+                for solution in [by_factors, solve_with_divisions_deferred(matrix, scale, unit)] {
+                    let back = times(matrix, solution);
+                    assert!(subtract(back, unit).iter().all(|x| x.abs() < 4.0 * f64::EPSILON), "{back:?}");
+                }
             }
         }
     }
@@ -99,10 +120,12 @@ mod tests {
     fn a_matrix_far_from_one_is_factorised_in_f32() {
         // A cube of a gram and a millimetre, and a ship.
         for size in [1e-10_f32, 1e12] {
-            let factors =
-                Factors::new([size, 2.0 * size, 3.0 * size, 0.1 * size, 0.0, 0.2 * size], 1.0 / size);
-            let solution = factors.solve([size; 3]);
-            assert!(solution.iter().all(|x| x.is_finite() && *x > 0.1), "{size}: {solution:?}");
+            let matrix = [size, 2.0 * size, 3.0 * size, 0.1 * size, 0.0, 0.2 * size];
+            let factors = Factors::new(matrix, 1.0 / size);
+            let by_factors = factors.backward(factors.weigh(factors.forward([size; 3])));
+            for solution in [by_factors, solve_with_divisions_deferred(matrix, 1.0 / size, [size; 3])] {
+                assert!(solution.iter().all(|x| x.is_finite() && *x > 0.1), "{size}: {solution:?}");
+            }
         }
     }
 }

@@ -18,6 +18,12 @@ pub(super) fn dot<T: Scalar>(a: [T; 3], b: [T; 3]) -> T {
     a[0].multiply_add(b[0], a[1].multiply_add(b[1], a[2] * b[2]))
 }
 
+/// start - a · b, from the first product to the last.
+#[inline(always)]
+pub(super) fn subtract_dot<T: Scalar>(start: T, a: [T; 3], b: [T; 3]) -> T {
+    (-a[2]).multiply_add(b[2], (-a[1]).multiply_add(b[1], (-a[0]).multiply_add(b[0], start)))
+}
+
 /// S v
 #[inline(always)]
 pub(super) fn times<T: Scalar>([xx, yy, zz, xy, xz, yz]: [T; 6], v: [T; 3]) -> [T; 3] {

@@ -88,7 +88,7 @@ impl Tree {
         }
     }
 
-    fn visit<'a>(&'a self, look: &mut impl FnMut(&'a Self)) {
+    pub(super) fn visit<'a>(&'a self, look: &mut impl FnMut(&'a Self)) {
         look(self);
         for operand in self.operands() {
             operand.visit(look);

@@ -60,29 +60,29 @@ pub(super) fn argument(input: Input, modes: usize, scalar: ScalarType) -> String
 
 /// The type of all results: a tuple if there are several.
 pub(super) fn result_type(signature: &Signature, modes: usize, scalar: ScalarType) -> String {
-    let name = scalar.type_name();
-    let types: Vec<String> = signature
-        .outputs
-        .iter()
-        .map(|output| match output.shape {
-            Shape::Scalar => name.to_owned(),
-            Shape::Vector(_) | Shape::Motion | Shape::Force => {
-                format!("[{name}; {}]", output.shape.entries(modes))
-            }
-            Shape::Symmetric(extent) => format!("[[{name}; {0}]; {0}]", extent.size(modes)),
-            Shape::Columns { rows, columns } => {
-                format!("[[{name}; {}]; {}]", rows.size(modes), columns.size(modes))
-            }
-        })
-        .collect();
+    let types: Vec<String> =
+        signature.outputs.iter().map(|output| result_type_of(output.shape, modes, scalar)).collect();
     match types.as_slice() {
         [single] => single.clone(),
         several => format!("({})", several.join(", ")),
     }
 }
 
+/// The type of one result.
+pub(super) fn result_type_of(shape: Shape, modes: usize, scalar: ScalarType) -> String {
+    let name = scalar.type_name();
+    match shape {
+        Shape::Scalar => name.to_owned(),
+        Shape::Vector(_) | Shape::Motion | Shape::Force => format!("[{name}; {}]", shape.entries(modes)),
+        Shape::Symmetric(extent) => format!("[[{name}; {0}]; {0}]", extent.size(modes)),
+        Shape::Columns { rows, columns } => {
+            format!("[[{name}; {}]; {}]", rows.size(modes), columns.size(modes))
+        }
+    }
+}
+
 /// The entries of an argument that are needed, by name.
-fn pattern(input: Input, modes: usize, needs: &Needs) -> String {
+pub(super) fn pattern(input: Input, modes: usize, needs: &Needs) -> String {
     let entries = input.symbols(modes).map(|symbol| match needs.symbols.contains(&symbol) {
         true => symbol.to_string(),
         false => "_".to_owned(),
@@ -90,24 +90,35 @@ fn pattern(input: Input, modes: usize, needs: &Needs) -> String {
     format!("[{}]", entries.collect::<Vec<_>>().join(", "))
 }
 
-fn results(writer: &mut Writer, listing: &Listing, style: Style<'_>) {
-    let entries: Vec<String> = listing.results.iter().map(|tree| expression(tree, &style)).collect();
-    let modes = listing.mode_count;
-    let write = |writer: &mut Writer, shape: Shape, entries: &[String], end: &str| match shape {
-        Shape::Scalar => writer.line(format!("{}{end}", entries.concat())),
+/// Writes the entries of a result between `start` and `end`.
+pub(super) fn value(
+    writer: &mut Writer,
+    start: &str,
+    shape: Shape,
+    entries: &[String],
+    modes: usize,
+    end: &str,
+) {
+    match shape {
+        Shape::Scalar => writer.line(format!("{start}{}{end}", entries.concat())),
         Shape::Vector(_) | Shape::Motion | Shape::Force => {
-            writer.line(format!("{}{end}", bracketed(entries, 0)));
+            writer.line(format!("{start}{}{end}", bracketed(entries, start.len())));
         }
         Shape::Symmetric(rows) | Shape::Columns { rows, .. } => {
             let rows = rows.size(modes);
-            writer.block("[", &format!("]{end}"), |writer| {
+            writer.block(&format!("{start}["), &format!("]{end}"), |writer| {
                 for column in 0..shape.columns(modes) {
                     let column = entries.get(rows * column..rows * (column + 1)).unwrap_or_default();
                     writer.line(format!("{},", bracketed(column, 4)));
                 }
             });
         }
-    };
+    }
+}
+
+fn results(writer: &mut Writer, listing: &Listing, style: Style<'_>) {
+    let entries: Vec<String> = listing.results.iter().map(|tree| expression(tree, &style)).collect();
+    let modes = listing.mode_count;
     let mut rest = entries.as_slice();
     let mut parts = Vec::new();
     for output in listing.signature.outputs {
@@ -116,10 +127,10 @@ fn results(writer: &mut Writer, listing: &Listing, style: Style<'_>) {
         rest = later;
     }
     match parts.as_slice() {
-        [(shape, part)] => write(writer, *shape, part, ""),
+        [(shape, part)] => value(writer, "", *shape, part, modes, ""),
         parts => writer.block("(", ")", |writer| {
             for (shape, part) in parts {
-                write(writer, *shape, part, ",");
+                value(writer, "", *shape, part, modes, ",");
             }
         }),
     }

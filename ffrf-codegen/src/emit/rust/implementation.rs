@@ -1,5 +1,6 @@
 //! The implementations of the traits: nalgebra outside, arrays inside.
 
+use super::in_place::{self, is_in_place};
 use super::lanes;
 use super::markers;
 use super::method::{Types, method};
@@ -36,7 +37,12 @@ pub(super) fn implementations(writer: &mut Writer, subject: &Subject<'_>, listin
                 if position > 0 || interface == Interface::FlexibleBody {
                     writer.blank();
                 }
-                method(writer, &types, interface, signature);
+                let is_printed = listings.iter().any(|listing| listing.signature.name == signature.name);
+                if is_printed && is_in_place(signature) {
+                    in_place::methods(writer, &types, interface, signature);
+                } else {
+                    method(writer, &types, interface, signature);
+                }
             }
             more(writer);
         });
@@ -47,7 +53,7 @@ pub(super) fn implementations(writer: &mut Writer, subject: &Subject<'_>, listin
     writer.blank();
     block(writer, Interface::DenseForms, &|writer| {
         if let Some(lanes) = subject.lanes {
-            lanes::trait_method(writer, lanes, subject.options.scalar);
+            lanes::trait_method(writer, &types, lanes, subject.options.scalar);
         }
     });
     writer.blank();

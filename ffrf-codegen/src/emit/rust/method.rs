@@ -11,7 +11,7 @@ pub(super) struct Types {
     pub(super) scalar: &'static str,
     modes: usize,
     /// Whether the functions take the body.
-    has_parameters: bool,
+    pub(super) has_parameters: bool,
 }
 
 impl Types {
@@ -68,7 +68,8 @@ impl Types {
         }
     }
 
-    fn input(&self, interface: Interface, input: Input) -> String {
+    /// The type of an argument.
+    pub(super) fn input(&self, interface: Interface, input: Input) -> String {
         match (interface, input) {
             (Interface::FlexibleBody, Input::FORCE) => self.over_modes("GeneralisedForce"),
             _ => self.vector(input.size(self.modes)),
@@ -76,7 +77,7 @@ impl Types {
     }
 
     /// The type of a result that stands alone.
-    fn output(&self, interface: Interface, shape: Shape) -> String {
+    pub(super) fn output(&self, interface: Interface, shape: Shape) -> String {
         match (interface, shape) {
             (Interface::FlexibleBody, Shape::Motion) => self.over_modes("Motion"),
             (Interface::FlexibleBody, Shape::Force) => self.over_modes("GeneralisedForce"),
@@ -90,7 +91,8 @@ impl Types {
         }
     }
 
-    fn result(&self, interface: Interface, signature: &Signature) -> String {
+    /// The type of all results.
+    pub(super) fn result(&self, interface: Interface, signature: &Signature) -> String {
         match (interface, signature.outputs) {
             (Interface::FlexibleBody, _) if is_modal_matrix(signature) => self.over_modes("ModalMatrix"),
             (_, [output]) => self.output(interface, output.shape),

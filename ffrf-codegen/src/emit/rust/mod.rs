@@ -3,12 +3,13 @@
 //! ```text
 //! struct NAME; impl NAME { constants }         structure, markers   (invariants baked in)
 //! struct NAME { fields } impl NAME { check }   parameters, check    (invariants at run time)
-//! const _: () = { functions; impl traits };    function, lanes, implementation
+//! const _: () = { functions; impl traits };    function, in_place, lanes, implementation
 //! ```
 
 mod check;
 mod function;
 mod implementation;
+mod in_place;
 mod lanes;
 mod markers;
 mod method;
@@ -88,7 +89,11 @@ fn scope(writer: &mut Writer, subject: &Subject<'_>, kernels: &[ValidKernel]) {
         }
         for listing in &listings {
             writer.blank();
-            function(writer, listing, style);
+            if in_place::is_in_place(&listing.signature) {
+                in_place::function(writer, listing, style);
+            } else {
+                function(writer, listing, style);
+            }
         }
         if let Some(lanes) = lanes {
             writer.blank();

@@ -94,12 +94,14 @@ fn read_header(source: &Source) -> Result<Header, ImportError> {
     }
     let (array, symmetric) = (format == "array", symmetry == "symmetric");
     while cursor.at < bytes.len() && skip_blank_or_comment(bytes, &mut cursor) {}
-    let at = cursor.at;
     let sizes = if array { "the size line `rows columns`" } else { "the size line `rows columns entries`" };
     let mut number = || -> Result<usize, ImportError> {
+        cursor.skip_separators();
+        let at = cursor.at;
         let number = cursor.unsigned(sizes).map_err(|defect| source.defect(&defect, 0))?;
         // Row numbers are kept in 32 bits.
-        u32::try_from(number).map(|number| number as usize).map_err(|_| source.expected(at, sizes))
+        let expected = || format!("{sizes}, each at most {}", u32::MAX);
+        u32::try_from(number).map(|number| number as usize).map_err(|_| source.expected(at, expected()))
     };
     let (rows, columns) = (number()?, number()?);
     if symmetric {

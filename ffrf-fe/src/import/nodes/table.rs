@@ -41,6 +41,8 @@ pub(crate) enum TroubleKind {
     InternalNodes,
     /// Its mass matrix is singular.
     SingularMass,
+    /// Its nodes have rotations, or are expanded into nodes that the deck does not know.
+    Rotations,
 }
 
 impl NodeTable {

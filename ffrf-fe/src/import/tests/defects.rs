@@ -85,6 +85,8 @@ fn malformed_matrix_lines() {
     assert_parts(&replaced("%%MatrixMarket", "%%MatrixMarkt"), &["m.mtx:1:", "`%%MatrixMarket matrix"]);
     assert_parts(&replaced("real", "complex"), &["m.mtx:1:", "real|integer"]);
     assert_parts(&replaced("2 2 3", "2 2"), &["m.mtx:2:", "size line"]);
+    let many = "`40000000000` in `2 2 40000000000`";
+    assert_parts(&replaced("2 2 3", "2 2 40000000000"), &["m.mtx:2:", "at most 4294967295", many]);
     assert_parts(&replaced("2 2 3\n1 1 2.0", "2 2 4\n1 1 2.0\n1 2 1.0"), &["m.mtx:5:", "same triangle"]);
     assert_parts(&message(NODES, M, "1 1\n"), &["k.mtx:1:", "node dof node dof value"]);
     assert_parts(&message(NODES, M, ""), &["k.mtx:1:", "the end of the file"]);

@@ -43,6 +43,21 @@ fn internal_nodes_of_incompatible_modes_are_refused_by_the_name_of_the_type() {
 }
 
 #[test]
+fn rotations_of_shells_and_beams_are_refused_by_the_name_of_the_type() {
+    let mass: Vec<Vec<f64>> =
+        (0..12).map(|i| (0..12).map(|j| if i == j { 2.0 } else { 0.0 }).collect()).collect();
+    for (element, nodes) in [("S4R", "1, 1,2,2,1"), ("B31", "1, 1,2"), ("stri3", "1, 1,2,2")] {
+        let message = import(element, nodes, DOFS, &mass, false).unwrap_err().to_string();
+        let name = format!("rod.inp:4: element type {}:", element.to_uppercase());
+        assert_parts(&message, &[&name, "rotations", "found 12 rows"]);
+        // Where the matrices have rows of displacements alone, nothing is wrong.
+        assert!(import(element, nodes, DOFS, &full_mass(), false).is_ok());
+    }
+    let message = import("SPRINGA", "1, 1,2", DOFS, &mass, false).unwrap_err().to_string();
+    assert!(!message.contains("SPRINGA"), "{message}");
+}
+
+#[test]
 fn a_singular_mass_is_warned_of_with_the_type_that_is_known_for_it() {
     let singular: Vec<Vec<f64>> =
         (0..6).map(|i| (0..6).map(|j| if i % 3 == j % 3 { 1.0 } else { 0.0 }).collect()).collect();

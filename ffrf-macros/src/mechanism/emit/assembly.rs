@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::forces::forces;
 use super::plan::plan;
 use super::{Names, markers_of, slice, slice_mut};
 use crate::mechanism::bodies::Body;
@@ -19,7 +20,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         Scalar::Generic => quote! { <'a, T> },
         _ => quote! { <'a> },
     };
-    let (joints, values, unknowns) = (spec.connections, spec.plan.value_count, spec.plan.unknown_count);
+    let (joints, blocks, nodes) = (spec.connections, spec.plan.block_count, spec.plan.node_count);
     let made = spec.bodies.iter().map(|body| port(body, spec));
     let each = |owner: &str, action: TokenStream| {
         let owner: TokenStream = syn::Ident::new(owner, proc_macro2::Span::call_site()).into_token_stream();
@@ -39,15 +40,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         quote! { #(#loops)* }
     };
     let collect = pairs("rates", "ports", quote! { *own = other.rate(own); });
-    let correct = each(
-        "ports",
-        quote! {
-            match level {
-                ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-            }
-        },
-    );
+    let correct = each("ports", quote! { port.correct(level); });
     let kept = spec.bodies.iter().map(|body| {
         let field = &body.name;
         match body.count {
@@ -56,13 +49,19 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         }
     });
     let weigh = each("ports", quote! { ::ffrf::mechanism::Port::weigh(port, &self.gravity); });
-    let elements = spec.forces.iter().map(|force| {
-        let field = &force.name;
-        quote! { self.#field.apply(ports); }
-    });
+    let forces = forces(spec);
+    let (applied, friction, frictions) = (&forces.applied, &forces.friction, forces.friction_count);
     let driven = spec.drives.iter().map(|drive| {
         let (field, connection) = (&drive.name, drive.first);
-        quote! { #connection => self.#field.at(time), }
+        match &drive.range {
+            None => quote! { #connection => self.#field.at(time), },
+            Some(_) => {
+                let last = connection + drive.len() - 1;
+                quote! {
+                    #connection..=#last => self.#field.get(joint - #connection).map_or(none, |drive| drive.at(time)),
+                }
+            }
+        }
     });
     let finite = spec.bodies.iter().map(|body| {
         let items = slice(body, &ident("state"));
@@ -126,6 +125,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
             impl #bound ::ffrf::mechanism::Assembly<#t> for #model #used {
                 type State = #state #used;
                 type Increment = #increment #used;
+                type Modes = ();
                 type Ports<'a> = #ports #lifetime_and_type where Self: 'a;
 
                 fn ports<'a>(
@@ -156,16 +156,18 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 ) -> R {
                     let still = support::still::<#t>();
                     use_it(&mut ::ffrf::mechanism::Storage {
-                        values: &mut [#zero; #values],
-                        solution: &mut [#zero; #unknowns],
-                        right: &mut [#zero; #unknowns],
-                        shift: &mut [#zero; #unknowns],
+                        blocks: &mut [[[#zero; 6]; 6]; #blocks],
+                        solution: &mut [[#zero; 6]; #nodes],
+                        right: &mut [[#zero; 6]; #nodes],
+                        shift: &mut [[#zero; 6]; #nodes],
+                        efforts: &mut [#zero; #frictions],
                         rows: &mut [::ffrf::relations::Rows::none(); #joints],
                         ends: &mut [[still; 2]; #joints],
+                        used: false,
                     })
                 }
 
-                fn plan(&self) -> Plan<'_> {
+                fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
                     #plan_expression
                 }
 
@@ -181,16 +183,19 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 }
 
                 fn drive(&self, joint: usize, time: #t) -> [#t; 3] {
+                    let none = [#zero; 3];
                     match joint {
                         #(#driven)*
-                        _ => [#zero; 3],
+                        _ => none,
                     }
                 }
 
                 fn load(&self, time: #t, ports: &mut Self::Ports<'_>) {
                     #weigh
-                    #(#elements)*
+                    #applied
                 }
+
+                #friction
 
                 fn treatment(&self) -> ::ffrf::mechanism::Treatment<#t> {
                     self.treatment

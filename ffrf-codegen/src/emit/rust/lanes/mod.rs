@@ -6,6 +6,7 @@ mod parameters;
 mod state;
 mod tables;
 
+use super::method::Types;
 use crate::emit::writer::Writer;
 use crate::lanes::Lanes;
 use crate::{GenerateOptions, ScalarType};
@@ -27,11 +28,11 @@ pub(super) fn functions(writer: &mut Writer, lanes: &Lanes, options: &GenerateOp
 }
 
 /// The method of the trait that writes its results in place; a generic body has none, as its results are moved anyway.
-pub(super) fn trait_method(writer: &mut Writer, lanes: &Lanes, scalar: ScalarType) {
+pub(super) fn trait_method(writer: &mut Writer, types: &Types, lanes: &Lanes, scalar: ScalarType) {
     match lanes {
         Lanes::Tables(tables) if scalar != ScalarType::Generic => {
             writer.blank();
-            state::trait_method(writer, tables, scalar);
+            state::trait_method(writer, types, tables);
         }
         _ => {}
     }

@@ -4,8 +4,11 @@ use super::form::Form;
 use super::kernels::Loops;
 use crate::ScalarType;
 use crate::emit::rust::function::argument;
+use crate::emit::rust::in_place;
+use crate::emit::rust::method::Types;
 use crate::emit::writer::{FunctionHead, Writer};
 use crate::expression::Input;
+use crate::formulate::kernels::EQUATIONS_OF_MOTION;
 use crate::lanes::LaneTables;
 
 /// Up to this number of modes, the common part of the kernels is inlined into each of them.
@@ -63,38 +66,13 @@ fn evaluation(modes: usize, omega: &str, q_dot: &str) -> String {
 }
 
 /// Writes the method of the trait that writes its results in place.
-pub(super) fn trait_method(writer: &mut Writer, tables: &LaneTables, scalar: ScalarType) {
-    let (modes, size, scalar) = (tables.modes, 6 + tables.modes, scalar.name());
-    let vector = |size: usize| format!("::ffrf::nalgebra::SVector<{scalar}, {size}>");
-    let inputs = [
-        "&self".to_owned(),
-        format!("q: &{}", vector(modes)),
-        format!("omega: &::ffrf::nalgebra::Vector3<{scalar}>"),
-        format!("q_dot: &{}", vector(modes)),
-        format!("force: &{}", vector(size)),
-        format!("mass_matrix: &mut ::ffrf::nalgebra::SMatrix<{scalar}, {size}, {size}>"),
-        format!("quadratic_velocity: &mut {}", vector(size)),
-        format!("acceleration: &mut {}", vector(size)),
-    ];
-    writer.line("#[inline]");
-    let head =
-        FunctionHead { name: "write_equations_of_motion", inputs: &inputs, result: "", may_be_short: false };
-    writer.function(&head, |writer| {
+pub(super) fn trait_method(writer: &mut Writer, types: &Types, tables: &LaneTables) {
+    let signature = &EQUATIONS_OF_MOTION.signature;
+    in_place::method(writer, types, EQUATIONS_OF_MOTION.interface, signature, |writer| {
         writer.line("let (q, q_dot) = (support::array(q), support::array(q_dot));");
         writer.line("let force = support::array(force);");
-        writer.line(evaluation(modes, "support::array(omega)", "q_dot"));
-        writer.block("BODY.write_equations_of_motion(", ");", |writer| {
-            for argument in [
-                "&state",
-                "q",
-                "q_dot",
-                "force",
-                "support::columns_mut(mass_matrix)",
-                "support::array_mut(quadratic_velocity)",
-                "support::array_mut(acceleration)",
-            ] {
-                writer.line(format!("{argument},"));
-            }
-        });
+        writer.line(evaluation(tables.modes, "support::array(omega)", "q_dot"));
+        let inputs = ["&state", "q", "q_dot", "force"].map(str::to_owned).into_iter();
+        in_place::call(writer, "BODY.write_equations_of_motion", inputs.chain(in_place::places(signature)));
     });
 }

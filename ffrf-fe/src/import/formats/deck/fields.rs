@@ -73,6 +73,14 @@ pub(super) fn element_trouble(name: &str) -> Option<TroubleKind> {
     match name {
         "C3D8I" => Some(TroubleKind::InternalNodes),
         "C3D20R" => Some(TroubleKind::SingularMass),
+        _ if has_rotations(name) => Some(TroubleKind::Rotations),
         _ => None,
     }
+}
+
+/// Whether nodes of an element type, given in upper case, have rotations: beams and pipes (B31, PIPE32), shells (S4R, STRI3).
+fn has_rotations(name: &str) -> bool {
+    ["B", "PIPE", "S", "STRI"].iter().any(|start| {
+        name.strip_prefix(start).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+    })
 }

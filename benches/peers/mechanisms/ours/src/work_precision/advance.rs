@@ -1,0 +1,134 @@
+//! Advances a mechanism by each of our integrators, observes it at equidistant times and takes the time.
+
+use std::time::Instant;
+
+use ffrf::mechanism::{Assembly, Constrained, Mechanism};
+use ffrf::{
+    GeneralisedAlpha, StepError, Tolerances, step_dormand_prince, step_linearly_implicit, step_rk4,
+    try_dormand_prince,
+};
+
+/// What is observed of a state: points (m).
+pub type Observation = Vec<f64>;
+
+/// Steps of error control before a run is given up.
+const MOST_TRIES: usize = 100_000_000;
+
+/// What the command line asks for.
+pub enum Request {
+    /// The initial state.
+    Start,
+    /// A run.
+    Run { method: String, step: f64, duration: f64, samples: usize, rounds: usize },
+}
+
+impl Request {
+    /// From the words after the case.
+    pub fn parse(words: &[String]) -> Result<Self, String> {
+        let number =
+            |word: &String| word.parse::<f64>().map_err(|_| format!("expected a number, found `{word}`"));
+        match words {
+            [start] if start == "start" => Ok(Self::Start),
+            [method, step, duration, samples, rounds] => Ok(Self::Run {
+                method: method.clone(),
+                step: number(step)?,
+                duration: number(duration)?,
+                samples: number(samples)? as usize,
+                rounds: number(rounds)? as usize,
+            }),
+            _ => Err("expected `start`, or METHOD STEP DURATION SAMPLES ROUNDS".to_owned()),
+        }
+    }
+}
+
+/// The runs of `request` from `start`, as a line of JSON. For `dopri5` the step is the tolerance, relative to each
+/// component and absolute times a thousandth.
+pub fn run<A: Assembly<f64> + Copy>(
+    start: &Mechanism<A>,
+    request: &Request,
+    observe: impl Fn(&A, &A::State) -> Observation,
+    describe: impl Fn(&A::State) -> String,
+) -> Result<String, String> {
+    let Request::Run { method, step, duration, samples, rounds } = request else {
+        return Ok(describe(&start.state));
+    };
+    let mut seconds = f64::INFINITY;
+    let mut points = Vec::new();
+    let mut steps = 0;
+    for _ in 0..*rounds {
+        points.clear();
+        let begin = Instant::now();
+        steps = simulate(start, method, *step, *duration, *samples, |state| {
+            points.push(observe(&start.model, state))
+        })
+        .map_err(|error| format!("{method} at {step:e}: {error}"))?;
+        seconds = seconds.min(begin.elapsed().as_secs_f64());
+    }
+    Ok(format!("{{\"seconds\": {seconds:e}, \"steps\": {steps}, \"samples\": {points:?}}}"))
+}
+
+/// One run; the number of steps.
+fn simulate<A: Assembly<f64>>(
+    start: &Mechanism<A>,
+    method: &str,
+    step: f64,
+    duration: f64,
+    samples: usize,
+    mut sample: impl FnMut(&A::State),
+) -> Result<usize, StepError> {
+    let model = &start.model;
+    let system = Constrained(model);
+    let (mut state, mut time) = (start.state.clone(), start.time);
+    let period = duration / samples as f64;
+    let count = (period / step).round() as usize;
+    let mut steps = 0;
+    let mut fixed = |one: &mut dyn FnMut(&A::State, f64, f64) -> Result<A::State, StepError>| {
+        for number in 1..=samples {
+            for _ in 0..count {
+                state = one(&state, time, period / count as f64)?;
+                time += period / count as f64;
+            }
+            steps += count;
+            time = start.time + number as f64 * period;
+            sample(&state);
+        }
+        Ok(steps)
+    };
+    match method {
+        "rk4" => fixed(&mut |state, time, h| Ok(step_rk4(&system, state, time, h)?.0)),
+        "dopri5_fixed" => fixed(&mut |state, time, h| Ok(step_dormand_prince(&system, state, time, h)?.0)),
+        "linearly_implicit" => {
+            fixed(&mut |state, time, h| Ok(step_linearly_implicit(&system, state, time, h)?.0))
+        }
+        "generalised_alpha" => {
+            let method = GeneralisedAlpha::new();
+            let mut memory = method.start(&system, &start.state, start.time, period / count as f64)?;
+            fixed(&mut |state, time, h| Ok(method.step(&system, &mut memory, state, time, h)?.0))
+        }
+        "dopri5" => {
+            let tolerances = Tolerances { relative: step, absolute: step * 1e-3 };
+            let mut h = period * 1e-3;
+            let mut tries = 0;
+            for number in 1..=samples {
+                let end = start.time + number as f64 * period;
+                while end - time > period * 1e-12 {
+                    let cut = h.min(end - time);
+                    let tried = try_dormand_prince(&system, &state, time, cut, &tolerances)?;
+                    // an accepted step that was cut to meet the sample says nothing against longer ones
+                    h = if tried.accepted.is_some() && cut < h { h } else { tried.next_step };
+                    if let Some((next, _)) = tried.accepted {
+                        (state, time) = (next, time + cut);
+                    }
+                    tries += 1;
+                    if tries > MOST_TRIES {
+                        return Err(StepError::StepSize { found: h });
+                    }
+                }
+                time = end;
+                sample(&state);
+            }
+            Ok(tries)
+        }
+        _ => Err(StepError::StepSize { found: f64::NAN }),
+    }
+}
