@@ -14,7 +14,7 @@ pub struct Pendulum {
     connections: [::ffrf::mechanism::Connection<f64>; 1usize],
     markers_of_beam: [::ffrf::Marker<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>; 2usize],
 }
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl Pendulum {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 1usize] = ["pin"];
@@ -132,7 +132,7 @@ impl ::ffrf::VectorSpace<f64> for PendulumIncrement {
         }
     }
 }
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl Pendulum {
     #[doc = "Position. Shape: 3. Units: m. Frame: inertial."]
     pub fn tip(&self, state: &PendulumState) -> ::ffrf::nalgebra::Vector3<f64> {
@@ -175,30 +175,34 @@ impl Pendulum {
     unused_mut
 )]
 const _: () = {
-    use ::ffrf::mechanism::{
-        Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
-    };
-    static STEPS: [Step; 2usize] = [
-        Step { size: 6usize, unknowns: 0usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
-        Step { size: 5usize, unknowns: 6usize, diagonal: 66usize, couplings: 1usize, targets: 1usize },
+    use ::ffrf::mechanism as places;
+    static STEPS: [places::Step; 2usize] = [
+        places::Step { size: 6usize, unknowns: 0usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
+        places::Step {
+            size: 5usize,
+            unknowns: 6usize,
+            diagonal: 66usize,
+            couplings: 1usize,
+            targets: 1usize,
+        },
     ];
-    static COUPLINGS: [Coupling; 1usize] = [Coupling { size: 5usize, unknowns: 6usize }];
+    static COUPLINGS: [places::Coupling; 1usize] = [places::Coupling { size: 5usize, unknowns: 6usize }];
     static TARGETS: [usize; 1usize] = [66usize];
-    static BODIES: [BodyPlace; 1usize] = [BodyPlace { unknowns: 0usize, diagonal: 0usize }];
-    static JOINTS: [JointPlace; 1usize] = [JointPlace {
+    static BODIES: [places::BodyPlace; 1usize] = [places::BodyPlace { unknowns: 0usize, diagonal: 0usize }];
+    static JOINTS: [places::JointPlace; 1usize] = [places::JointPlace {
         rows: 5usize,
         unknowns: 6usize,
         diagonal: 66usize,
         ends: [
             ::core::option::Option::None,
-            ::core::option::Option::Some(EndPlace {
+            ::core::option::Option::Some(places::EndPlace {
                 body: 0usize,
                 slot: 0usize,
-                block: Block { start: 36usize, columns: 6usize, transposed: false },
+                block: places::Block { start: 36usize, columns: 6usize, transposed: false },
             }),
         ],
     }];
-    static SHARED: [SharedPlace; 0usize] = [];
+    static SHARED: [places::SharedPlace; 0usize] = [];
     use ::ffrf::generated_support::mechanism as support;
     impl ::ffrf::mechanism::Ports<f64> for PendulumPorts<'_> {
         fn port(&self, index: usize) -> ::core::option::Option<&dyn ::ffrf::mechanism::Port<f64>> {
@@ -220,6 +224,7 @@ const _: () = {
     impl ::ffrf::mechanism::Assembly<f64> for Pendulum {
         type State = PendulumState;
         type Increment = PendulumIncrement;
+        type Modes = ();
         type Ports<'a>
             = PendulumPorts<'a>
         where
@@ -269,13 +274,14 @@ const _: () = {
                 solution: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
                 right: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
                 shift: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
+                efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 1usize],
                 ends: &mut [[still; 2]; 1usize],
             })
         }
-        fn plan(&self) -> Plan<'_> {
-            Plan {
-                elimination: Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+        fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
+            places::Plan {
+                elimination: places::Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
                 bodies: &BODIES,
                 joints: &JOINTS,
                 shared: &SHARED,
@@ -291,8 +297,9 @@ const _: () = {
             }
         }
         fn drive(&self, joint: usize, time: f64) -> [f64; 3] {
+            let none = [::ffrf::generated_support::constant::<f64>(0.0); 3];
             match joint {
-                _ => [::ffrf::generated_support::constant::<f64>(0.0); 3],
+                _ => none,
             }
         }
         fn load(&self, time: f64, ports: &mut Self::Ports<'_>) {

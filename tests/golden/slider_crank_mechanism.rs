@@ -15,7 +15,7 @@ pub struct SliderCrank<T: ::ffrf::generated_support::Number = f64> {
     pub gravity: ::ffrf::nalgebra::Vector3<T>,
     #[doc = "Drive of joint `main`."]
     pub motor: ::ffrf::mechanism::Drive<T>,
-    #[doc = "Force element `brake`."]
+    #[doc = "Force `brake`."]
     pub brake: ::ffrf::mechanism::Element<::ffrf::forces::TorsionSpring<T>, T>,
     #[doc = r" How joints are kept while time advances."]
     pub treatment: ::ffrf::mechanism::Treatment<T>,
@@ -31,7 +31,7 @@ const _: () = ::core::assert!(
     ::core::mem::size_of::<<Piston as ::ffrf::FlexibleBody<f64>>::Modal>() == 0,
     "body `piston` is said to be rigid, but its type has modes"
 );
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 8usize] =
@@ -56,7 +56,7 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
                 ])),
             ),
         });
-        support::connect::<T>(&mut connections, 1usize, 1, |_| ::ffrf::mechanism::Connection {
+        support::connect::<T>(&mut connections, 1usize, 1usize, |_| ::ffrf::mechanism::Connection {
             kind: ::ffrf::joints::JointKind::Angle(::ffrf::joints::Angle),
             first: ::ffrf::mechanism::Attachment::<T>::on_ground(
                 ::ffrf::nalgebra::Vector3::<T>::zeros(),
@@ -386,13 +386,15 @@ impl<T: ::ffrf::generated_support::Number> ::ffrf::VectorSpace<T> for SliderCran
         }
     }
 }
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" Angle of the joint about its axis, within half a turn. Units: rad."]
     pub fn turn(&self, state: &SliderCrankState<T>) -> T {
         let ports = ::ffrf::mechanism::Assembly::<T>::ports(self, *state, ::core::option::Option::None);
-        let connection = &self.connections[0usize];
-        ::ffrf::forces::relative_angle(&connection.first.motion(&ports), &connection.second.motion(&ports))
+        ::ffrf::forces::relative_angle(
+            &self.connections[0usize].first.motion(&ports),
+            &self.connections[0usize].second.motion(&ports),
+        )
     }
     #[doc = "Moment of the joint on its second body, about the marker there, at `time` (s). Shape: 3. Units: N m. Frame: inertial."]
     #[doc = r""]
@@ -450,200 +452,282 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     unused_mut
 )]
 const _: () = {
-    use ::ffrf::mechanism::{
-        Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
-    };
-    static STEPS: [Step; 14usize] = [
-        Step { size: 6usize, unknowns: 30usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
-        Step { size: 4usize, unknowns: 64usize, diagonal: 60usize, couplings: 1usize, targets: 1usize },
-        Step { size: 6usize, unknowns: 24usize, diagonal: 116usize, couplings: 3usize, targets: 4usize },
-        Step { size: 4usize, unknowns: 60usize, diagonal: 176usize, couplings: 4usize, targets: 5usize },
-        Step { size: 6usize, unknowns: 18usize, diagonal: 236usize, couplings: 6usize, targets: 8usize },
-        Step { size: 5usize, unknowns: 55usize, diagonal: 302usize, couplings: 7usize, targets: 9usize },
-        Step { size: 6usize, unknowns: 6usize, diagonal: 327usize, couplings: 7usize, targets: 9usize },
-        Step { size: 3usize, unknowns: 47usize, diagonal: 411usize, couplings: 9usize, targets: 12usize },
-        Step { size: 6usize, unknowns: 12usize, diagonal: 453usize, couplings: 11usize, targets: 15usize },
-        Step { size: 5usize, unknowns: 50usize, diagonal: 549usize, couplings: 13usize, targets: 18usize },
-        Step { size: 6usize, unknowns: 0usize, diagonal: 599usize, couplings: 14usize, targets: 19usize },
-        Step { size: 1usize, unknowns: 41usize, diagonal: 701usize, couplings: 17usize, targets: 25usize },
-        Step { size: 5usize, unknowns: 36usize, diagonal: 712usize, couplings: 19usize, targets: 28usize },
-        Step { size: 5usize, unknowns: 42usize, diagonal: 762usize, couplings: 20usize, targets: 29usize },
+    use ::ffrf::mechanism as places;
+    static STEPS: [places::Step; 14usize] = [
+        places::Step {
+            size: 6usize,
+            unknowns: 30usize,
+            diagonal: 0usize,
+            couplings: 0usize,
+            targets: 0usize,
+        },
+        places::Step {
+            size: 4usize,
+            unknowns: 64usize,
+            diagonal: 60usize,
+            couplings: 1usize,
+            targets: 1usize,
+        },
+        places::Step {
+            size: 6usize,
+            unknowns: 24usize,
+            diagonal: 116usize,
+            couplings: 3usize,
+            targets: 4usize,
+        },
+        places::Step {
+            size: 4usize,
+            unknowns: 60usize,
+            diagonal: 176usize,
+            couplings: 4usize,
+            targets: 5usize,
+        },
+        places::Step {
+            size: 6usize,
+            unknowns: 18usize,
+            diagonal: 236usize,
+            couplings: 6usize,
+            targets: 8usize,
+        },
+        places::Step {
+            size: 5usize,
+            unknowns: 55usize,
+            diagonal: 302usize,
+            couplings: 7usize,
+            targets: 9usize,
+        },
+        places::Step {
+            size: 6usize,
+            unknowns: 6usize,
+            diagonal: 327usize,
+            couplings: 7usize,
+            targets: 9usize,
+        },
+        places::Step {
+            size: 3usize,
+            unknowns: 47usize,
+            diagonal: 411usize,
+            couplings: 9usize,
+            targets: 12usize,
+        },
+        places::Step {
+            size: 6usize,
+            unknowns: 12usize,
+            diagonal: 453usize,
+            couplings: 11usize,
+            targets: 15usize,
+        },
+        places::Step {
+            size: 5usize,
+            unknowns: 50usize,
+            diagonal: 549usize,
+            couplings: 13usize,
+            targets: 18usize,
+        },
+        places::Step {
+            size: 6usize,
+            unknowns: 0usize,
+            diagonal: 599usize,
+            couplings: 14usize,
+            targets: 19usize,
+        },
+        places::Step {
+            size: 1usize,
+            unknowns: 41usize,
+            diagonal: 701usize,
+            couplings: 17usize,
+            targets: 25usize,
+        },
+        places::Step {
+            size: 5usize,
+            unknowns: 36usize,
+            diagonal: 712usize,
+            couplings: 19usize,
+            targets: 28usize,
+        },
+        places::Step {
+            size: 5usize,
+            unknowns: 42usize,
+            diagonal: 762usize,
+            couplings: 20usize,
+            targets: 29usize,
+        },
     ];
-    static COUPLINGS: [Coupling; 20usize] = [
-        Coupling { size: 4usize, unknowns: 64usize },
-        Coupling { size: 6usize, unknowns: 24usize },
-        Coupling { size: 4usize, unknowns: 60usize },
-        Coupling { size: 4usize, unknowns: 60usize },
-        Coupling { size: 6usize, unknowns: 18usize },
-        Coupling { size: 5usize, unknowns: 55usize },
-        Coupling { size: 5usize, unknowns: 55usize },
-        Coupling { size: 3usize, unknowns: 47usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 6usize, unknowns: 12usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 50usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 1usize, unknowns: 41usize },
-        Coupling { size: 5usize, unknowns: 36usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 36usize },
-        Coupling { size: 5usize, unknowns: 42usize },
-        Coupling { size: 5usize, unknowns: 42usize },
+    static COUPLINGS: [places::Coupling; 20usize] = [
+        places::Coupling { size: 4usize, unknowns: 64usize },
+        places::Coupling { size: 6usize, unknowns: 24usize },
+        places::Coupling { size: 4usize, unknowns: 60usize },
+        places::Coupling { size: 4usize, unknowns: 60usize },
+        places::Coupling { size: 6usize, unknowns: 18usize },
+        places::Coupling { size: 5usize, unknowns: 55usize },
+        places::Coupling { size: 5usize, unknowns: 55usize },
+        places::Coupling { size: 3usize, unknowns: 47usize },
+        places::Coupling { size: 5usize, unknowns: 42usize },
+        places::Coupling { size: 6usize, unknowns: 12usize },
+        places::Coupling { size: 5usize, unknowns: 42usize },
+        places::Coupling { size: 5usize, unknowns: 50usize },
+        places::Coupling { size: 5usize, unknowns: 42usize },
+        places::Coupling { size: 5usize, unknowns: 42usize },
+        places::Coupling { size: 1usize, unknowns: 41usize },
+        places::Coupling { size: 5usize, unknowns: 36usize },
+        places::Coupling { size: 5usize, unknowns: 42usize },
+        places::Coupling { size: 5usize, unknowns: 36usize },
+        places::Coupling { size: 5usize, unknowns: 42usize },
+        places::Coupling { size: 5usize, unknowns: 42usize },
     ];
     static TARGETS: [usize; 29usize] = [
         60usize, 116usize, 152usize, 176usize, 176usize, 236usize, 272usize, 302usize, 302usize, 411usize,
         438usize, 762usize, 453usize, 519usize, 762usize, 549usize, 574usize, 762usize, 762usize, 701usize,
         702usize, 712usize, 707usize, 737usize, 762usize, 712usize, 737usize, 762usize, 762usize,
     ];
-    static BODIES: [BodyPlace; 6usize] = [
-        BodyPlace { unknowns: 0usize, diagonal: 599usize },
-        BodyPlace { unknowns: 6usize, diagonal: 327usize },
-        BodyPlace { unknowns: 12usize, diagonal: 453usize },
-        BodyPlace { unknowns: 18usize, diagonal: 236usize },
-        BodyPlace { unknowns: 24usize, diagonal: 116usize },
-        BodyPlace { unknowns: 30usize, diagonal: 0usize },
+    static BODIES: [places::BodyPlace; 6usize] = [
+        places::BodyPlace { unknowns: 0usize, diagonal: 599usize },
+        places::BodyPlace { unknowns: 6usize, diagonal: 327usize },
+        places::BodyPlace { unknowns: 12usize, diagonal: 453usize },
+        places::BodyPlace { unknowns: 18usize, diagonal: 236usize },
+        places::BodyPlace { unknowns: 24usize, diagonal: 116usize },
+        places::BodyPlace { unknowns: 30usize, diagonal: 0usize },
     ];
-    static JOINTS: [JointPlace; 8usize] = [
-        JointPlace {
+    static JOINTS: [places::JointPlace; 8usize] = [
+        places::JointPlace {
             rows: 5usize,
             unknowns: 36usize,
             diagonal: 712usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 0usize,
-                    block: Block { start: 641usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 641usize, columns: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 1usize,
             unknowns: 41usize,
             diagonal: 701usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 5usize,
-                    block: Block { start: 635usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 635usize, columns: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
             unknowns: 42usize,
             diagonal: 762usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 6usize,
-                    block: Block { start: 671usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 671usize, columns: 6usize, transposed: false },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
                     slot: 0usize,
-                    block: Block { start: 381usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 381usize, columns: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 3usize,
             unknowns: 47usize,
             diagonal: 411usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
                     slot: 5usize,
-                    block: Block { start: 363usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 363usize, columns: 6usize, transposed: false },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
                     slot: 0usize,
-                    block: Block { start: 420usize, columns: 3usize, transposed: true },
+                    block: places::Block { start: 420usize, columns: 3usize, transposed: true },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
             unknowns: 50usize,
             diagonal: 549usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
                     slot: 3usize,
-                    block: Block { start: 489usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 489usize, columns: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
             unknowns: 55usize,
             diagonal: 302usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
                     slot: 0usize,
-                    block: Block { start: 272usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 272usize, columns: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 4usize,
             unknowns: 60usize,
             diagonal: 176usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
                     slot: 5usize,
-                    block: Block { start: 192usize, columns: 4usize, transposed: true },
+                    block: places::Block { start: 192usize, columns: 4usize, transposed: true },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
                     slot: 0usize,
-                    block: Block { start: 152usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 152usize, columns: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 4usize,
             unknowns: 64usize,
             diagonal: 60usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
                     slot: 4usize,
-                    block: Block { start: 76usize, columns: 4usize, transposed: true },
+                    block: places::Block { start: 76usize, columns: 4usize, transposed: true },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 5usize,
                     slot: 0usize,
-                    block: Block { start: 36usize, columns: 6usize, transposed: false },
+                    block: places::Block { start: 36usize, columns: 6usize, transposed: false },
                 }),
             ],
         },
     ];
-    static SHARED: [SharedPlace; 3usize] = [
-        SharedPlace {
+    static SHARED: [places::SharedPlace; 3usize] = [
+        places::SharedPlace {
             body: 1usize,
             first: (5usize, 3usize),
             second: (0usize, 5usize),
-            block: Block { start: 438usize, columns: 3usize, transposed: true },
+            block: places::Block { start: 438usize, columns: 3usize, transposed: true },
         },
-        SharedPlace {
+        places::SharedPlace {
             body: 3usize,
             first: (5usize, 4usize),
             second: (0usize, 5usize),
-            block: Block { start: 216usize, columns: 4usize, transposed: true },
+            block: places::Block { start: 216usize, columns: 4usize, transposed: true },
         },
-        SharedPlace {
+        places::SharedPlace {
             body: 4usize,
             first: (4usize, 4usize),
             second: (0usize, 4usize),
-            block: Block { start: 100usize, columns: 4usize, transposed: true },
+            block: places::Block { start: 100usize, columns: 4usize, transposed: true },
         },
     ];
     use ::ffrf::generated_support::mechanism as support;
@@ -680,6 +764,7 @@ const _: () = {
     impl<T: ::ffrf::generated_support::Number> ::ffrf::mechanism::Assembly<T> for SliderCrank<T> {
         type State = SliderCrankState<T>;
         type Increment = SliderCrankIncrement<T>;
+        type Modes = ();
         type Ports<'a>
             = SliderCrankPorts<'a, T>
         where
@@ -806,13 +891,14 @@ const _: () = {
                 solution: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
                 right: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
                 shift: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
+                efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 8usize],
                 ends: &mut [[still; 2]; 8usize],
             })
         }
-        fn plan(&self) -> Plan<'_> {
-            Plan {
-                elimination: Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+        fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
+            places::Plan {
+                elimination: places::Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
                 bodies: &BODIES,
                 joints: &JOINTS,
                 shared: &SHARED,
@@ -828,9 +914,10 @@ const _: () = {
             }
         }
         fn drive(&self, joint: usize, time: T) -> [T; 3] {
+            let none = [::ffrf::generated_support::constant::<T>(0.0); 3];
             match joint {
                 1usize => self.motor.at(time),
-                _ => [::ffrf::generated_support::constant::<T>(0.0); 3],
+                _ => none,
             }
         }
         fn load(&self, time: T, ports: &mut Self::Ports<'_>) {
