@@ -43,6 +43,7 @@ mod math;
 pub mod mechanism;
 pub mod relations;
 pub mod rotation;
+mod six;
 
 pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,

@@ -18,7 +18,7 @@
 //! assert_eq!(rotation::euler_parameters(&orientation)[0], half);
 //! ```
 
-use nalgebra::{Quaternion, RealField, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, RealField, UnitQuaternion, Vector3};
 
 /// Euler parameters [θ0, θ1, θ2, θ3], scalar first. Shape: 4. Units: 1. Panics: never.
 pub fn euler_parameters<T: RealField + Copy>(orientation: &UnitQuaternion<T>) -> [T; 4] {
@@ -74,6 +74,27 @@ pub fn turned<T: RealField + Copy>(
     let half = rotation * nalgebra::convert::<f64, T>(0.5);
     let product = orientation.quaternion() * Quaternion::from_parts(T::one(), half);
     UnitQuaternion::new_unchecked(product / product.norm())
+}
+
+/// The matrix of a rotation; an axis that it leaves where it is stays there to the last bit. Shape: 3 x 3. Panics: never.
+///
+/// I + 2 (w v~ + v~ v~) of the quaternion (w, v).
+pub fn matrix<T: RealField + Copy>(orientation: &UnitQuaternion<T>) -> Matrix3<T> {
+    let [i, j, k, w]: [T; 4] = orientation.coords.into();
+    let [i2, j2, k2] = [i + i, j + j, k + k];
+    let (one, [wi, wj, wk], [ii, ij, ik], [jj, jk, kk]) =
+        (T::one(), [w * i2, w * j2, w * k2], [i * i2, i * j2, i * k2], [j * j2, j * k2, k * k2]);
+    Matrix3::new(
+        one - (jj + kk),
+        ij - wk,
+        ik + wj,
+        ij + wk,
+        one - (ii + kk),
+        jk - wi,
+        ik - wj,
+        jk + wi,
+        one - (ii + jj),
+    )
 }
 
 /// The rate of the rotation vector c whose [`cayley`] map turns a frame, when it turns with ω in its own components.

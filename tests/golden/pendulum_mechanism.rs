@@ -113,7 +113,7 @@ pub struct PendulumPorts<'a> {
     pub beam: ::ffrf::mechanism::BodyPort<
         'a,
         Beam,
-        [::ffrf::mechanism::AttachedRow<<Beam as ::ffrf::FlexibleBody<f64>>::Modal>; 5usize],
+        [::ffrf::mechanism::AttachedRows<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>; 1usize],
         f64,
     >,
 }
@@ -177,28 +177,36 @@ impl Pendulum {
 const _: () = {
     use ::ffrf::mechanism as places;
     static STEPS: [places::Step; 2usize] = [
-        places::Step { size: 6usize, unknowns: 0usize, diagonal: 0usize, couplings: 0usize, targets: 0usize },
+        places::Step {
+            size: 6usize,
+            node: 0usize,
+            diagonal: 0usize,
+            is_diagonal: false,
+            couplings: 0usize,
+            targets: 0usize,
+        },
         places::Step {
             size: 5usize,
-            unknowns: 6usize,
-            diagonal: 66usize,
+            node: 1usize,
+            diagonal: 2usize,
+            is_diagonal: false,
             couplings: 1usize,
             targets: 1usize,
         },
     ];
-    static COUPLINGS: [places::Coupling; 1usize] = [places::Coupling { size: 5usize, unknowns: 6usize }];
-    static TARGETS: [usize; 1usize] = [66usize];
-    static BODIES: [places::BodyPlace; 1usize] = [places::BodyPlace { unknowns: 0usize, diagonal: 0usize }];
+    static COUPLINGS: [places::Coupling; 1usize] = [places::Coupling { size: 5usize, node: 1usize }];
+    static TARGETS: [usize; 1usize] = [2usize];
+    static BODIES: [places::BodyPlace; 1usize] = [places::BodyPlace { node: 0usize, diagonal: 0usize }];
     static JOINTS: [places::JointPlace; 1usize] = [places::JointPlace {
         rows: 5usize,
-        unknowns: 6usize,
-        diagonal: 66usize,
+        node: 1usize,
+        diagonal: 2usize,
         ends: [
             ::core::option::Option::None,
             ::core::option::Option::Some(places::EndPlace {
                 body: 0usize,
                 slot: 0usize,
-                block: places::Block { start: 36usize, columns: 6usize, transposed: false },
+                block: places::Block { index: 1usize, transposed: false },
             }),
         ],
     }];
@@ -258,10 +266,7 @@ const _: () = {
         }
         fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
             for port in ::core::slice::from_mut(&mut ports.beam) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
         }
         fn state(&self, ports: Self::Ports<'_>) -> Self::State {
@@ -270,18 +275,24 @@ const _: () = {
         fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R) -> R {
             let still = support::still::<f64>();
             use_it(&mut ::ffrf::mechanism::Storage {
-                values: &mut [::ffrf::generated_support::constant::<f64>(0.0); 182usize],
-                solution: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
-                right: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
-                shift: &mut [::ffrf::generated_support::constant::<f64>(0.0); 11usize],
+                blocks: &mut [[[::ffrf::generated_support::constant::<f64>(0.0); 6]; 6]; 3usize],
+                solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 1usize],
                 ends: &mut [[still; 2]; 1usize],
+                used: false,
             })
         }
         fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
             places::Plan {
-                elimination: places::Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+                elimination: places::Elimination {
+                    steps: &STEPS,
+                    leading: 1usize,
+                    couplings: &COUPLINGS,
+                    targets: &TARGETS,
+                },
                 bodies: &BODIES,
                 joints: &JOINTS,
                 shared: &SHARED,

@@ -324,28 +324,29 @@ pub struct SliderCrankPorts<'a, T: ::ffrf::generated_support::Number = f64> {
     pub crank: ::ffrf::mechanism::BodyPort<
         'a,
         ::ffrf::RigidBody<T>,
-        [::ffrf::mechanism::AttachedRow<<::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal>; 11usize],
+        [::ffrf::mechanism::AttachedRows<<::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal, T>;
+            3usize],
         T,
     >,
     #[doc = "Body `rod`."]
     pub rod: ::ffrf::mechanism::BodyPort<
         'a,
         Rod,
-        [::ffrf::mechanism::AttachedRow<<Rod as ::ffrf::FlexibleBody<T>>::Modal>; 8usize],
+        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
         T,
     >,
     #[doc = "Body `piston`."]
     pub piston: ::ffrf::mechanism::BodyPort<
         'a,
         Piston,
-        [::ffrf::mechanism::AttachedRow<<Piston as ::ffrf::FlexibleBody<T>>::Modal>; 8usize],
+        [::ffrf::mechanism::AttachedRows<<Piston as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
         T,
     >,
     #[doc = "Body `links`."]
     pub links: [::ffrf::mechanism::BodyPort<
         'a,
         Rod,
-        [::ffrf::mechanism::AttachedRow<<Rod as ::ffrf::FlexibleBody<T>>::Modal>; 9usize],
+        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
         T,
     >; 3usize],
 }
@@ -456,256 +457,270 @@ const _: () = {
     static STEPS: [places::Step; 14usize] = [
         places::Step {
             size: 6usize,
-            unknowns: 30usize,
+            node: 5usize,
             diagonal: 0usize,
+            is_diagonal: false,
             couplings: 0usize,
             targets: 0usize,
         },
         places::Step {
             size: 4usize,
-            unknowns: 64usize,
-            diagonal: 60usize,
+            node: 13usize,
+            diagonal: 2usize,
+            is_diagonal: false,
             couplings: 1usize,
             targets: 1usize,
         },
         places::Step {
             size: 6usize,
-            unknowns: 24usize,
-            diagonal: 116usize,
+            node: 4usize,
+            diagonal: 5usize,
+            is_diagonal: false,
             couplings: 3usize,
             targets: 4usize,
         },
         places::Step {
             size: 4usize,
-            unknowns: 60usize,
-            diagonal: 176usize,
+            node: 12usize,
+            diagonal: 7usize,
+            is_diagonal: false,
             couplings: 4usize,
             targets: 5usize,
         },
         places::Step {
             size: 6usize,
-            unknowns: 18usize,
-            diagonal: 236usize,
+            node: 3usize,
+            diagonal: 10usize,
+            is_diagonal: false,
             couplings: 6usize,
             targets: 8usize,
         },
         places::Step {
             size: 5usize,
-            unknowns: 55usize,
-            diagonal: 302usize,
+            node: 11usize,
+            diagonal: 12usize,
+            is_diagonal: false,
             couplings: 7usize,
             targets: 9usize,
         },
         places::Step {
             size: 6usize,
-            unknowns: 6usize,
-            diagonal: 327usize,
+            node: 1usize,
+            diagonal: 13usize,
+            is_diagonal: false,
             couplings: 7usize,
             targets: 9usize,
         },
         places::Step {
             size: 3usize,
-            unknowns: 47usize,
-            diagonal: 411usize,
+            node: 9usize,
+            diagonal: 16usize,
+            is_diagonal: false,
             couplings: 9usize,
             targets: 12usize,
         },
         places::Step {
             size: 6usize,
-            unknowns: 12usize,
-            diagonal: 453usize,
+            node: 2usize,
+            diagonal: 19usize,
+            is_diagonal: false,
             couplings: 11usize,
             targets: 15usize,
         },
         places::Step {
             size: 5usize,
-            unknowns: 50usize,
-            diagonal: 549usize,
+            node: 10usize,
+            diagonal: 22usize,
+            is_diagonal: false,
             couplings: 13usize,
             targets: 18usize,
         },
         places::Step {
             size: 6usize,
-            unknowns: 0usize,
-            diagonal: 599usize,
+            node: 0usize,
+            diagonal: 24usize,
+            is_diagonal: true,
             couplings: 14usize,
             targets: 19usize,
         },
         places::Step {
             size: 1usize,
-            unknowns: 41usize,
-            diagonal: 701usize,
+            node: 7usize,
+            diagonal: 28usize,
+            is_diagonal: false,
             couplings: 17usize,
             targets: 25usize,
         },
         places::Step {
             size: 5usize,
-            unknowns: 36usize,
-            diagonal: 712usize,
+            node: 6usize,
+            diagonal: 31usize,
+            is_diagonal: false,
             couplings: 19usize,
             targets: 28usize,
         },
         places::Step {
             size: 5usize,
-            unknowns: 42usize,
-            diagonal: 762usize,
+            node: 8usize,
+            diagonal: 33usize,
+            is_diagonal: false,
             couplings: 20usize,
             targets: 29usize,
         },
     ];
     static COUPLINGS: [places::Coupling; 20usize] = [
-        places::Coupling { size: 4usize, unknowns: 64usize },
-        places::Coupling { size: 6usize, unknowns: 24usize },
-        places::Coupling { size: 4usize, unknowns: 60usize },
-        places::Coupling { size: 4usize, unknowns: 60usize },
-        places::Coupling { size: 6usize, unknowns: 18usize },
-        places::Coupling { size: 5usize, unknowns: 55usize },
-        places::Coupling { size: 5usize, unknowns: 55usize },
-        places::Coupling { size: 3usize, unknowns: 47usize },
-        places::Coupling { size: 5usize, unknowns: 42usize },
-        places::Coupling { size: 6usize, unknowns: 12usize },
-        places::Coupling { size: 5usize, unknowns: 42usize },
-        places::Coupling { size: 5usize, unknowns: 50usize },
-        places::Coupling { size: 5usize, unknowns: 42usize },
-        places::Coupling { size: 5usize, unknowns: 42usize },
-        places::Coupling { size: 1usize, unknowns: 41usize },
-        places::Coupling { size: 5usize, unknowns: 36usize },
-        places::Coupling { size: 5usize, unknowns: 42usize },
-        places::Coupling { size: 5usize, unknowns: 36usize },
-        places::Coupling { size: 5usize, unknowns: 42usize },
-        places::Coupling { size: 5usize, unknowns: 42usize },
+        places::Coupling { size: 4usize, node: 13usize },
+        places::Coupling { size: 6usize, node: 4usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 6usize, node: 3usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 3usize, node: 9usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 6usize, node: 2usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 10usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 7usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 8usize },
     ];
     static TARGETS: [usize; 29usize] = [
-        60usize, 116usize, 152usize, 176usize, 176usize, 236usize, 272usize, 302usize, 302usize, 411usize,
-        438usize, 762usize, 453usize, 519usize, 762usize, 549usize, 574usize, 762usize, 762usize, 701usize,
-        702usize, 712usize, 707usize, 737usize, 762usize, 712usize, 737usize, 762usize, 762usize,
+        2usize, 5usize, 6usize, 7usize, 7usize, 10usize, 11usize, 12usize, 12usize, 16usize, 18usize,
+        33usize, 19usize, 21usize, 33usize, 22usize, 23usize, 33usize, 33usize, 28usize, 29usize, 31usize,
+        30usize, 32usize, 33usize, 31usize, 32usize, 33usize, 33usize,
     ];
     static BODIES: [places::BodyPlace; 6usize] = [
-        places::BodyPlace { unknowns: 0usize, diagonal: 599usize },
-        places::BodyPlace { unknowns: 6usize, diagonal: 327usize },
-        places::BodyPlace { unknowns: 12usize, diagonal: 453usize },
-        places::BodyPlace { unknowns: 18usize, diagonal: 236usize },
-        places::BodyPlace { unknowns: 24usize, diagonal: 116usize },
-        places::BodyPlace { unknowns: 30usize, diagonal: 0usize },
+        places::BodyPlace { node: 0usize, diagonal: 24usize },
+        places::BodyPlace { node: 1usize, diagonal: 13usize },
+        places::BodyPlace { node: 2usize, diagonal: 19usize },
+        places::BodyPlace { node: 3usize, diagonal: 10usize },
+        places::BodyPlace { node: 4usize, diagonal: 5usize },
+        places::BodyPlace { node: 5usize, diagonal: 0usize },
     ];
     static JOINTS: [places::JointPlace; 8usize] = [
         places::JointPlace {
             rows: 5usize,
-            unknowns: 36usize,
-            diagonal: 712usize,
+            node: 6usize,
+            diagonal: 31usize,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 0usize,
-                    block: places::Block { start: 641usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 26usize, transposed: false },
                 }),
             ],
         },
         places::JointPlace {
             rows: 1usize,
-            unknowns: 41usize,
-            diagonal: 701usize,
+            node: 7usize,
+            diagonal: 28usize,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
-                    slot: 5usize,
-                    block: places::Block { start: 635usize, columns: 6usize, transposed: false },
+                    slot: 1usize,
+                    block: places::Block { index: 25usize, transposed: false },
                 }),
             ],
         },
         places::JointPlace {
             rows: 5usize,
-            unknowns: 42usize,
-            diagonal: 762usize,
+            node: 8usize,
+            diagonal: 33usize,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
-                    slot: 6usize,
-                    block: places::Block { start: 671usize, columns: 6usize, transposed: false },
+                    slot: 2usize,
+                    block: places::Block { index: 27usize, transposed: false },
                 }),
                 ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
                     slot: 0usize,
-                    block: places::Block { start: 381usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 15usize, transposed: false },
                 }),
             ],
         },
         places::JointPlace {
             rows: 3usize,
-            unknowns: 47usize,
-            diagonal: 411usize,
+            node: 9usize,
+            diagonal: 16usize,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
-                    slot: 5usize,
-                    block: places::Block { start: 363usize, columns: 6usize, transposed: false },
+                    slot: 1usize,
+                    block: places::Block { index: 14usize, transposed: false },
                 }),
                 ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
                     slot: 0usize,
-                    block: places::Block { start: 420usize, columns: 3usize, transposed: true },
+                    block: places::Block { index: 17usize, transposed: true },
                 }),
             ],
         },
         places::JointPlace {
             rows: 5usize,
-            unknowns: 50usize,
-            diagonal: 549usize,
+            node: 10usize,
+            diagonal: 22usize,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
-                    slot: 3usize,
-                    block: places::Block { start: 489usize, columns: 6usize, transposed: false },
+                    slot: 1usize,
+                    block: places::Block { index: 20usize, transposed: false },
                 }),
             ],
         },
         places::JointPlace {
             rows: 5usize,
-            unknowns: 55usize,
-            diagonal: 302usize,
+            node: 11usize,
+            diagonal: 12usize,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
                     slot: 0usize,
-                    block: places::Block { start: 272usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 11usize, transposed: false },
                 }),
             ],
         },
         places::JointPlace {
             rows: 4usize,
-            unknowns: 60usize,
-            diagonal: 176usize,
+            node: 12usize,
+            diagonal: 7usize,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
-                    slot: 5usize,
-                    block: places::Block { start: 192usize, columns: 4usize, transposed: true },
+                    slot: 1usize,
+                    block: places::Block { index: 8usize, transposed: true },
                 }),
                 ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
                     slot: 0usize,
-                    block: places::Block { start: 152usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 6usize, transposed: false },
                 }),
             ],
         },
         places::JointPlace {
             rows: 4usize,
-            unknowns: 64usize,
-            diagonal: 60usize,
+            node: 13usize,
+            diagonal: 2usize,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
-                    slot: 4usize,
-                    block: places::Block { start: 76usize, columns: 4usize, transposed: true },
+                    slot: 1usize,
+                    block: places::Block { index: 3usize, transposed: true },
                 }),
                 ::core::option::Option::Some(places::EndPlace {
                     body: 5usize,
                     slot: 0usize,
-                    block: places::Block { start: 36usize, columns: 6usize, transposed: false },
+                    block: places::Block { index: 1usize, transposed: false },
                 }),
             ],
         },
@@ -713,21 +728,21 @@ const _: () = {
     static SHARED: [places::SharedPlace; 3usize] = [
         places::SharedPlace {
             body: 1usize,
-            first: (5usize, 3usize),
-            second: (0usize, 5usize),
-            block: places::Block { start: 438usize, columns: 3usize, transposed: true },
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 18usize, transposed: true },
         },
         places::SharedPlace {
             body: 3usize,
-            first: (5usize, 4usize),
-            second: (0usize, 5usize),
-            block: places::Block { start: 216usize, columns: 4usize, transposed: true },
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 9usize, transposed: true },
         },
         places::SharedPlace {
             body: 4usize,
-            first: (4usize, 4usize),
-            second: (0usize, 4usize),
-            block: places::Block { start: 100usize, columns: 4usize, transposed: true },
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 4usize, transposed: true },
         },
     ];
     use ::ffrf::generated_support::mechanism as support;
@@ -852,28 +867,16 @@ const _: () = {
         }
         fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
             for port in ::core::slice::from_mut(&mut ports.crank) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
             for port in ::core::slice::from_mut(&mut ports.rod) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
             for port in ::core::slice::from_mut(&mut ports.piston) {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
             for port in ports.links.as_mut_slice() {
-                match level {
-                    ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                    ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-                }
+                port.correct(level);
             }
         }
         fn state(&self, ports: Self::Ports<'_>) -> Self::State {
@@ -887,18 +890,24 @@ const _: () = {
         fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, T>) -> R) -> R {
             let still = support::still::<T>();
             use_it(&mut ::ffrf::mechanism::Storage {
-                values: &mut [::ffrf::generated_support::constant::<T>(0.0); 1574usize],
-                solution: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
-                right: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
-                shift: &mut [::ffrf::generated_support::constant::<T>(0.0); 68usize],
+                blocks: &mut [[[::ffrf::generated_support::constant::<T>(0.0); 6]; 6]; 34usize],
+                solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                 efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 8usize],
                 ends: &mut [[still; 2]; 8usize],
+                used: false,
             })
         }
         fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
             places::Plan {
-                elimination: places::Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+                elimination: places::Elimination {
+                    steps: &STEPS,
+                    leading: 1usize,
+                    couplings: &COUPLINGS,
+                    targets: &TARGETS,
+                },
                 bodies: &BODIES,
                 joints: &JOINTS,
                 shared: &SHARED,

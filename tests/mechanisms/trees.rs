@@ -59,7 +59,7 @@ fn dense(model: &Tree, state: &TreeState) -> DVector<f64> {
     for joint in model.connections() {
         let ends = [joint.first.motion(&ports), joint.second.motion(&ports)];
         let rows = ffrf::joints::Joint::rows(&joint.kind, &ends[0], &ends[1], &[0.0; 3]);
-        for row in rows.as_slice() {
+        for row in rows.iter() {
             right[row_index] = -row.whole_bias(&ends[0], &ends[1]);
             for (attachment, wrench) in [(&joint.first, &row.first), (&joint.second, &row.second)] {
                 let Some(body) = attachment.body else { continue };

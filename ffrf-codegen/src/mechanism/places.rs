@@ -10,10 +10,12 @@ use super::{Topology, TopologyError};
 pub struct StepPlace {
     /// Number of unknowns.
     pub size: usize,
-    /// First unknown.
-    pub unknowns: usize,
-    /// Diagonal block among the values; the blocks of its couplings follow.
+    /// The node.
+    pub node: usize,
+    /// Diagonal block; the blocks of its couplings follow.
     pub diagonal: usize,
+    /// Whether this is a rigid body that nothing has been taken out of.
+    pub is_diagonal: bool,
     /// First coupling.
     pub couplings: usize,
     /// First target.
@@ -25,27 +27,25 @@ pub struct StepPlace {
 pub struct CouplingPlace {
     /// Number of unknowns of the later node.
     pub size: usize,
-    /// First unknown of the later node.
-    pub unknowns: usize,
+    /// The later node.
+    pub node: usize,
 }
 
 /// A block off the diagonal, as a joint sees it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BlockPlace {
-    /// Start among the values.
-    pub start: usize,
-    /// Number of columns.
-    pub columns: usize,
-    /// Whether the joint (the first joint, of two) is the node of the columns.
+    /// Which block.
+    pub index: usize,
+    /// Whether the joint (the first joint, of two) is the node of the rows: the one that is eliminated first.
     pub transposed: bool,
 }
 
 /// The frame of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BodyPlace {
-    /// First unknown.
-    pub unknowns: usize,
-    /// Diagonal block among the values.
+    /// The node.
+    pub node: usize,
+    /// Diagonal block.
     pub diagonal: usize,
 }
 
@@ -54,7 +54,7 @@ pub struct BodyPlace {
 pub struct EndPlace {
     /// The body.
     pub body: usize,
-    /// First attached row on the body.
+    /// Which of the ends of joints on the body this is.
     pub slot: usize,
     /// The block of joint and body.
     pub block: BlockPlace,
@@ -65,9 +65,9 @@ pub struct EndPlace {
 pub struct JointPlace {
     /// Number of rows.
     pub rows: usize,
-    /// First multiplier among the unknowns.
-    pub unknowns: usize,
-    /// Diagonal block among the values.
+    /// The node.
+    pub node: usize,
+    /// Diagonal block.
     pub diagonal: usize,
     /// First and second end; `None` on the ground.
     pub ends: [Option<EndPlace>; 2],
@@ -78,10 +78,10 @@ pub struct JointPlace {
 pub struct SharedPlace {
     /// The body.
     pub body: usize,
-    /// First attached row and number of rows of the first joint.
-    pub first: (usize, usize),
-    /// The same of the second joint.
-    pub second: (usize, usize),
+    /// Slot of the first joint on the body.
+    pub first: usize,
+    /// Slot of the second joint.
+    pub second: usize,
     /// The block of both joints.
     pub block: BlockPlace,
 }
@@ -101,12 +101,14 @@ pub struct MechanismPlan {
     pub joints: Vec<JointPlace>,
     /// Pairs of joints on one flexible body.
     pub shared: Vec<SharedPlace>,
-    /// Number of values: the entries of the factors, and as many of the matrix.
-    pub value_count: usize,
-    /// Number of unknowns.
-    pub unknown_count: usize,
-    /// Number of attached rows of each body.
-    pub attached_rows: Vec<usize>,
+    /// Number of bodies that come before any joint.
+    pub leading: usize,
+    /// Number of blocks.
+    pub block_count: usize,
+    /// Number of nodes: bodies, then joints.
+    pub node_count: usize,
+    /// Number of ends of joints on each body.
+    pub attached_ends: Vec<usize>,
 }
 
 impl MechanismPlan {
@@ -116,66 +118,58 @@ impl MechanismPlan {
         let bodies = topology.flexible.len();
         let sizes = Couplings::of(topology).sizes;
         let order = order(topology);
-        let mut first_unknown = Vec::with_capacity(sizes.len());
-        let mut unknown_count = 0;
-        for size in &sizes {
-            first_unknown.push(unknown_count);
-            unknown_count += size;
-        }
         let mut turn = vec![0; sizes.len()];
         for (position, (node, _)) in order.iter().enumerate() {
             turn[*node] = position;
         }
         // blocks by (earlier, later) node; the diagonal by (node, node)
         let mut blocks = BTreeMap::new();
-        let mut value_count = 0;
+        let mut block_count = 0;
         for (node, neighbours) in &order {
             let mut later = neighbours.clone();
             later.sort_by_key(|other| turn[*other]);
             for other in std::iter::once(node).chain(&later) {
-                blocks.insert((*node, *other), value_count);
-                value_count += sizes[*node] * sizes[*other];
+                blocks.insert((*node, *other), block_count);
+                block_count += 1;
             }
         }
         let (mut steps, mut couplings, mut targets) = (Vec::new(), Vec::new(), Vec::new());
+        let mut changed = vec![false; sizes.len()];
         for (node, neighbours) in &order {
             let mut later = neighbours.clone();
             later.sort_by_key(|other| turn[*other]);
             steps.push(StepPlace {
                 size: sizes[*node],
-                unknowns: first_unknown[*node],
+                node: *node,
                 diagonal: blocks[&(*node, *node)],
+                is_diagonal: !changed[*node] && topology.flexible.get(*node) == Some(&false),
                 couplings: couplings.len(),
                 targets: targets.len(),
             });
             for (index, row) in later.iter().enumerate() {
-                couplings.push(CouplingPlace { size: sizes[*row], unknowns: first_unknown[*row] });
-                // rows of the later of both, columns of the earlier
+                changed[*row] = true;
+                couplings.push(CouplingPlace { size: sizes[*row], node: *row });
+                // rows of the earlier of both, columns of the later
                 targets.extend(later[..=index].iter().map(|column| blocks[&(*column, *row)]));
             }
         }
         let block = |joint: usize, other: usize| {
             let transposed = turn[joint] < turn[other];
             let (earlier, later) = if transposed { (joint, other) } else { (other, joint) };
-            BlockPlace { start: blocks[&(earlier, later)], columns: sizes[earlier], transposed }
+            BlockPlace { index: blocks[&(earlier, later)], transposed }
         };
-        let mut attached_rows = vec![0; bodies];
+        let mut attached_ends = vec![0; bodies];
         let mut joints = Vec::with_capacity(topology.joints.len());
         for (index, joint) in topology.joints.iter().enumerate() {
             let node = bodies + index;
             let ends = joint.ends.map(|end| {
                 end.map(|body| {
-                    let slot = attached_rows[body];
-                    attached_rows[body] += joint.rows;
+                    let slot = attached_ends[body];
+                    attached_ends[body] += 1;
                     EndPlace { body, slot, block: block(node, body) }
                 })
             });
-            joints.push(JointPlace {
-                rows: joint.rows,
-                unknowns: first_unknown[node],
-                diagonal: blocks[&(node, node)],
-                ends,
-            });
+            joints.push(JointPlace { rows: joint.rows, node, diagonal: blocks[&(node, node)], ends });
         }
         let mut shared = Vec::new();
         for (index, joint) in joints.iter().enumerate() {
@@ -186,17 +180,17 @@ impl MechanismPlan {
                     {
                         shared.push(SharedPlace {
                             body: end.body,
-                            first: (end.slot, joint.rows),
-                            second: (end_of_other.slot, joint_of_other.rows),
+                            first: end.slot,
+                            second: end_of_other.slot,
                             block: block(bodies + index, bodies + other),
                         });
                     }
                 }
             }
         }
-        let bodies = (0..bodies)
-            .map(|body| BodyPlace { unknowns: first_unknown[body], diagonal: blocks[&(body, body)] })
-            .collect();
+        let leading = order.iter().take_while(|(node, _)| *node < bodies).count();
+        let bodies =
+            (0..bodies).map(|body| BodyPlace { node: body, diagonal: blocks[&(body, body)] }).collect();
         Ok(Self {
             steps,
             couplings,
@@ -204,9 +198,10 @@ impl MechanismPlan {
             bodies,
             joints,
             shared,
-            value_count: 2 * value_count,
-            unknown_count,
-            attached_rows,
+            leading,
+            block_count,
+            node_count: sizes.len(),
+            attached_ends,
         })
     }
 

@@ -114,7 +114,7 @@ impl<'a> Point<'a> {
             let (place_rates, accelerations) = flatten(&mechanism.collect(ports, &increment));
             let rows = || {
                 let joints = storage.rows.iter().zip(storage.ends.iter());
-                joints.flat_map(|(rows, ends)| rows.as_slice().iter().map(move |row| (row, ends)))
+                joints.flat_map(|(rows, ends)| rows.iter().map(move |row| (row, ends)))
             };
             let mut outputs = Vec::new();
             for sensor in &self.sensors {

@@ -24,6 +24,7 @@ impl HostModal {
 impl<T: RealField + Copy> ModalVector<T> for HostModal<T> {
     type Matrix = DMatrix<T>;
     type Factors = Cholesky<T, Dyn>;
+    type Sixes = Vec<[T; 6]>;
 
     fn as_slice(&self) -> &[T] {
         self.0.as_slice()
@@ -51,5 +52,17 @@ impl<T: RealField + Copy> ModalVector<T> for HostModal<T> {
 
     fn solve(factors: &Self::Factors, right: &Self) -> Self {
         Self(factors.solve(&right.0))
+    }
+
+    fn zero_sixes(&self) -> Self::Sixes {
+        vec![[T::zero(); 6]; self.0.len()]
+    }
+
+    fn solve_sixes(factors: &Self::Factors, right: &mut Self::Sixes) {
+        let mut columns = DMatrix::from_fn(right.len(), 6, |mode, column| right[mode][column]);
+        factors.solve_mut(&mut columns);
+        for (mode, six) in right.iter_mut().enumerate() {
+            *six = core::array::from_fn(|column| columns[(mode, column)]);
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use ffrf_codegen::mechanism::{JointTopology, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Assembly, AttachedRow, BodyPort, Connection, ImplicitTerms, JointFriction, Level, Plan, Port, Ports,
+    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, Level, Plan, Port, Ports,
     Regularisation, Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
@@ -227,7 +227,7 @@ impl<T: RealField + Copy> HostMechanism<T> {
 pub struct HostPorts<'a, T: RealField + Copy = f64>(pub Vec<HostPort<'a, T>>);
 
 /// One body of a mechanism in one state.
-pub type HostPort<'a, T = f64> = BodyPort<'a, HostBody<T>, Vec<AttachedRow<HostModal<T>>>, T>;
+pub type HostPort<'a, T = f64> = BodyPort<'a, HostBody<T>, Vec<AttachedRows<HostModal<T>, T>>, T>;
 
 impl<T: RealField + Copy> Ports<T> for HostPorts<'_, T> {
     fn port(&self, index: usize) -> Option<&dyn Port<T>> {
@@ -259,7 +259,7 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
                 gamma_h,
                 subtracted: subtracted.and_then(|all| all.0.get(index)),
             });
-            let rows = vec![AttachedRow::empty(&body.undeformed()); self.plan.attached_rows[index]];
+            let rows = vec![AttachedRows::empty(&body.undeformed()); self.plan.attached_ends[index]];
             BodyPort::new(body, markers.as_slice(), state, rows, terms)
         });
         HostPorts(ports.collect())
@@ -273,10 +273,7 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
 
     fn correct(&self, ports: &mut HostPorts<'_, T>, level: Level) {
         for port in &mut ports.0 {
-            match level {
-                Level::Position => port.state.displace(&port.motion),
-                Level::Velocity => port.state.push(&port.motion),
-            }
+            port.correct(level);
         }
     }
 
@@ -287,15 +284,16 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     fn with_storage<R>(&self, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
         let joints = self.connections.len();
         let still = MarkerMotion::fixed(Vector3::zeros(), UnitQuaternion::identity());
-        let unknowns = || vec![T::zero(); self.plan.unknown_count];
+        let unknowns = || vec![[T::zero(); 6]; self.plan.node_count];
         use_it(&mut Storage {
-            values: &mut vec![T::zero(); self.plan.value_count],
+            blocks: &mut vec![[[T::zero(); 6]; 6]; self.plan.block_count],
             solution: &mut unknowns(),
             right: &mut unknowns(),
             shift: &mut unknowns(),
             efforts: &mut vec![T::zero(); self.frictions.len()],
             rows: &mut vec![Rows::none(); joints],
             ends: &mut vec![[still; 2]; joints],
+            used: false,
         })
     }
 

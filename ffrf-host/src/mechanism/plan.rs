@@ -9,31 +9,29 @@ use ffrf_runtime::mechanism::{
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct OwnedPlan {
     steps: Vec<Step>,
+    leading: usize,
     couplings: Vec<Coupling>,
     targets: Vec<usize>,
     bodies: Vec<BodyPlace>,
     joints: Vec<JointPlace>,
     shared: Vec<SharedPlace>,
-    pub(super) value_count: usize,
-    pub(super) unknown_count: usize,
-    pub(super) attached_rows: Vec<usize>,
+    pub(super) block_count: usize,
+    pub(super) node_count: usize,
+    pub(super) attached_ends: Vec<usize>,
 }
 
 impl OwnedPlan {
     pub(super) fn new(plan: &MechanismPlan) -> Self {
-        let block = |block: BlockPlace| Block {
-            start: block.start,
-            columns: block.columns,
-            transposed: block.transposed,
-        };
+        let block = |block: BlockPlace| Block { index: block.index, transposed: block.transposed };
         Self {
             steps: plan
                 .steps
                 .iter()
                 .map(|step| Step {
                     size: step.size,
-                    unknowns: step.unknowns,
+                    node: step.node,
                     diagonal: step.diagonal,
+                    is_diagonal: step.is_diagonal,
                     couplings: step.couplings,
                     targets: step.targets,
                 })
@@ -41,20 +39,20 @@ impl OwnedPlan {
             couplings: plan
                 .couplings
                 .iter()
-                .map(|coupling| Coupling { size: coupling.size, unknowns: coupling.unknowns })
+                .map(|coupling| Coupling { size: coupling.size, node: coupling.node })
                 .collect(),
             targets: plan.targets.clone(),
             bodies: plan
                 .bodies
                 .iter()
-                .map(|body| BodyPlace { unknowns: body.unknowns, diagonal: body.diagonal })
+                .map(|body| BodyPlace { node: body.node, diagonal: body.diagonal })
                 .collect(),
             joints: plan
                 .joints
                 .iter()
                 .map(|joint| JointPlace {
                     rows: joint.rows,
-                    unknowns: joint.unknowns,
+                    node: joint.node,
                     diagonal: joint.diagonal,
                     ends: joint.ends.map(|end| {
                         end.map(|end| EndPlace { body: end.body, slot: end.slot, block: block(end.block) })
@@ -71,9 +69,10 @@ impl OwnedPlan {
                     block: block(shared.block),
                 })
                 .collect(),
-            value_count: plan.value_count,
-            unknown_count: plan.unknown_count,
-            attached_rows: plan.attached_rows.clone(),
+            leading: plan.leading,
+            block_count: plan.block_count,
+            node_count: plan.node_count,
+            attached_ends: plan.attached_ends.clone(),
         }
     }
 
@@ -81,6 +80,7 @@ impl OwnedPlan {
         Plan {
             elimination: Elimination {
                 steps: &self.steps,
+                leading: self.leading,
                 couplings: &self.couplings,
                 targets: &self.targets,
             },

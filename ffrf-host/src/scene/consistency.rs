@@ -32,7 +32,7 @@ pub fn residuals(
                     port.map_or([Vector3::zeros(); 2], |port| port.resulting_twist(end.marker))
                 });
                 let mut found = Residuals { left: [0.0; 3], scale: [1.0; 3] };
-                for row in rows.as_slice() {
+                for row in rows.iter() {
                     let parts = [
                         row.first.power(&accelerations[0][0], &accelerations[0][1]),
                         row.second.power(&accelerations[1][0], &accelerations[1][1]),

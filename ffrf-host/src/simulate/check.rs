@@ -40,7 +40,7 @@ pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
             let joints = storage.rows.iter().zip(storage.ends.iter());
             joints
                 .map(|(rows, [first, second])| {
-                    rows.as_slice().iter().fold([0.0_f64; 2], |largest, row| {
+                    rows.iter().fold([0.0_f64; 2], |largest, row| {
                         [
                             largest[0].max(row.residual.abs()),
                             largest[1].max(row.velocity(first, second).abs()),
@@ -101,7 +101,7 @@ fn gradients(
     Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage, _| {
         let (mut gradients, mut names) = (Vec::new(), Vec::new());
         for (index, connection) in mechanism.connections().iter().enumerate() {
-            for (k, row) in storage.rows[index].as_slice().iter().enumerate() {
+            for (k, row) in storage.rows[index].iter().enumerate() {
                 let mut gradient = DVector::zeros(total);
                 let ends = [(&connection.first, &row.first), (&connection.second, &row.second)];
                 for (attachment, wrench) in ends {

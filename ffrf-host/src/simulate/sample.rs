@@ -141,7 +141,7 @@ fn energies(mechanism: &HostMechanism, state: &[State<HostModal>], ports: &HostP
 fn residuals(storage: &Storage<'_, f64>) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];
     for (rows, [first, second]) in storage.rows.iter().zip(storage.ends.iter()) {
-        for row in rows.as_slice() {
+        for row in rows.iter() {
             largest[0] = largest[0].max(row.residual.abs());
             largest[1] = largest[1].max(row.velocity(first, second).abs());
         }

@@ -51,7 +51,7 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
         for (joint, connection) in mechanism.connections().iter().enumerate() {
             starts.push(gradients.len());
             let [first, second] = &storage.ends[joint];
-            for (k, row) in storage.rows[joint].as_slice().iter().enumerate() {
+            for (k, row) in storage.rows[joint].iter().enumerate() {
                 let mut gradient = DVector::zeros(total);
                 for (end, wrench) in [(&connection.first, &row.first), (&connection.second, &row.second)] {
                     let Some(body) = end.body else { continue };
@@ -62,7 +62,7 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
                 }
                 gradients.push(gradient);
                 bias.push(row.whole_bias(first, second));
-                multipliers.push(-storage.solution[plan.joints[joint].unknowns + k]);
+                multipliers.push(-storage.solution[plan.joints[joint].node][k]);
             }
         }
         let jacobian = DMatrix::from_fn(gradients.len(), total, |i, j| gradients[i][j]);

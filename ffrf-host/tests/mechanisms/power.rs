@@ -167,7 +167,7 @@ fn on_second(case: &Case, found: &Evaluation) -> (Vector3<f64>, Wrench) {
     let summed = system.evaluate(TIME, case.states.clone(), None, |_, storage, _| {
         let mut sum = Wrench::zero();
         for (joint, rows) in storage.rows.iter().enumerate() {
-            for (k, row) in rows.as_slice().iter().enumerate() {
+            for (k, row) in rows.iter().enumerate() {
                 let multiplier = found.multipliers[found.starts[joint] + k];
                 sum.force += row.second.force * multiplier;
                 sum.moment += row.second.moment * multiplier;

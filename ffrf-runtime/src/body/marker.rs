@@ -3,6 +3,7 @@
 use nalgebra::{RealField, SVector, Vector3};
 
 use super::{GeneralisedForce, ModalVector};
+use crate::six::{add_scaled, scaled, subtract_scaled};
 
 /// A point of a flexible body, with the rows of the mode shapes there; `V` is the body's modal vector.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,6 +107,23 @@ impl<T: RealField + Copy> SmallRotation<T> {
     #[inline]
     pub(crate) fn times(&self, vector: &Vector3<T>) -> Vector3<T> {
         (vector + self.half.cross(vector)) * self.share
+    }
+
+    /// Wᵀ of six vectors, component by component.
+    #[inline]
+    pub(crate) fn transposed_times_rows(&self, [x, y, z]: &[[T; 6]; 3]) -> [[T; 6]; 3] {
+        let (half, share) = (&self.half, self.share);
+        let turned = |own: &[T; 6], next: (T, &[T; 6]), last: (T, &[T; 6])| {
+            let mut sum = *own;
+            add_scaled(&mut sum, next.0, next.1);
+            subtract_scaled(&mut sum, last.0, last.1);
+            scaled(share, &sum)
+        };
+        [
+            turned(x, (half.z, y), (half.y, z)),
+            turned(y, (half.x, z), (half.z, x)),
+            turned(z, (half.y, x), (half.x, y)),
+        ]
     }
 
     /// Wᵀ u

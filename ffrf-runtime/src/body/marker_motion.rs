@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
 use super::marker::{SmallRotation, combine, transposed};
 use super::{GeneralisedForce, Marker, ModalVector, Motion, State};
-use crate::rotation::cayley;
+use crate::rotation::{cayley, matrix};
 
 /// Place and motion of a marker; the velocities are the exact derivatives of the place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,22 +43,16 @@ impl<T: RealField + Copy> MarkerMotion<T> {
 
     /// The axes of the triad as columns. Shape: 3 x 3. Units: 1. Frame: inertial.
     pub fn axes(&self) -> Matrix3<T> {
-        self.mean_axes.unwrap_or_else(|| columns(&self.orientation))
+        self.mean_axes.unwrap_or_else(|| matrix(&self.orientation))
     }
 
     /// The same motion of a triad that is turned in this one.
     #[must_use]
     pub fn turned(mut self, orientation: &UnitQuaternion<T>) -> Self {
         self.orientation *= *orientation;
-        self.mean_axes = self.mean_axes.map(|axes| axes * columns(orientation));
+        self.mean_axes = self.mean_axes.map(|axes| axes * matrix(orientation));
         self
     }
-}
-
-/// The matrix of a rotation; an axis that it leaves where it is stays there to the last bit.
-fn columns<T: RealField + Copy>(orientation: &UnitQuaternion<T>) -> Matrix3<T> {
-    let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-    Matrix3::from_columns(&axes.map(|axis| orientation.transform_vector(&axis)))
 }
 
 /// A force and a moment at a marker, or a row of a constraint: dual to the marker's velocities.
@@ -85,19 +79,28 @@ impl<T: RealField + Copy> Wrench<T> {
 /// A marker in a state: the lever arm and the rotation are found once for all that needs them.
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedMarker<'a, V, T: RealField + Copy> {
-    marker: &'a Marker<V, T>,
+    pub(super) marker: &'a Marker<V, T>,
     orientation: UnitQuaternion<T>,
+    /// The axes of the body as columns. Frame: inertial.
+    pub(super) axes: Matrix3<T>,
     /// x + Ψ q, body frame.
-    arm: Vector3<T>,
-    rotation: SmallRotation<T>,
+    pub(super) arm: Vector3<T>,
+    pub(super) rotation: SmallRotation<T>,
 }
 
 impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
     /// `marker` of a body in `state`.
     pub fn new(marker: &'a Marker<V, T>, state: &State<V, T>) -> Self {
+        Self::with_axes(marker, state, &matrix(&state.orientation))
+    }
+
+    /// [`new`](Self::new) with the axes of the body, which belong to its orientation.
+    #[inline]
+    pub(crate) fn with_axes(marker: &'a Marker<V, T>, state: &State<V, T>, axes: &Matrix3<T>) -> Self {
         Self {
             marker,
             orientation: state.orientation,
+            axes: *axes,
             arm: marker.position(&state.modal_coordinates),
             rotation: SmallRotation::new(marker.small_rotation(&state.modal_coordinates)),
         }
@@ -105,6 +108,9 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
 
     /// Place, velocities and acceleration biases. Source: derivatives of p + A (x + Ψ q) and of the triad.
     pub fn motion(&self, state: &State<V, T>) -> MarkerMotion<T> {
+        if state.modal_rates.as_slice().is_empty() {
+            return self.rigid_motion(state);
+        }
         let two: T = nalgebra::convert(2.0);
         let omega = &state.angular_velocity;
         let (arm, shift) = (self.arm, combine(&self.marker.translation, &state.modal_rates));
@@ -115,7 +121,7 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
         // d/dt W ϑ̇ at ϑ̈ = 0: -(ϑ/2 · ϑ̇) / (1 + |ϑ|²/4) times W ϑ̇, and the turning of the body frame
         let slowing = self.rotation.half.dot(&turning) * self.rotation.share;
         let gyration = omega.cross(&spin) - spin * slowing;
-        let inertial = |vector: &Vector3<T>| self.orientation.transform_vector(vector);
+        let inertial = |vector: &Vector3<T>| self.axes * vector;
         MarkerMotion {
             position: state.position + inertial(&arm),
             orientation: self.orientation * cayley(&(self.rotation.half * two)),
@@ -127,19 +133,35 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
         }
     }
 
+    /// [`motion`](Self::motion) on a body without modes.
+    #[inline]
+    fn rigid_motion(&self, state: &State<V, T>) -> MarkerMotion<T> {
+        let omega = &state.angular_velocity;
+        let carried = omega.cross(&self.arm);
+        MarkerMotion {
+            position: state.position + self.axes * self.arm,
+            orientation: self.orientation,
+            mean_axes: None,
+            velocity: state.velocity + self.axes * carried,
+            angular_velocity: self.axes * omega,
+            acceleration_bias: self.axes * omega.cross(&carried),
+            angular_acceleration_bias: Vector3::zeros(),
+        }
+    }
+
     /// The marker's velocities [v; ω] (inertial) of velocities or accelerations of the body, without bias.
     pub fn twist(&self, motion: &Motion<V, T>) -> [Vector3<T>; 2] {
         let linear = motion.linear
             + motion.angular.cross(&self.arm)
             + combine(&self.marker.translation, &motion.modal);
         let angular = motion.angular + self.rotation.times(&combine(&self.marker.rotation, &motion.modal));
-        [self.orientation.transform_vector(&linear), self.orientation.transform_vector(&angular)]
+        [self.axes * linear, self.axes * angular]
     }
 
     /// Generalised force of an inertial wrench at the marker: the transpose of [`twist`](Self::twist).
     pub fn generalised_force(&self, wrench: &Wrench<T>) -> GeneralisedForce<V, T> {
-        let force = self.orientation.inverse_transform_vector(&wrench.force);
-        let moment = self.orientation.inverse_transform_vector(&wrench.moment);
+        let force = self.axes.tr_mul(&wrench.force);
+        let moment = self.axes.tr_mul(&wrench.moment);
         let mut modal = transposed(&self.marker.translation, &force);
         let turned = self.rotation.transposed_times(&moment);
         for (row, component) in self.marker.rotation.iter().zip(turned.iter()) {

@@ -9,6 +9,7 @@ mod increment;
 mod load;
 mod marker;
 mod marker_motion;
+mod marker_rows;
 mod marker_step;
 mod modal_matrix;
 mod modal_vector;

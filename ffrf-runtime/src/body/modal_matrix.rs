@@ -3,6 +3,7 @@
 use nalgebra::RealField;
 
 use super::ModalVector;
+use crate::six::scaled;
 
 /// A symmetric matrix over the modes of a body: Θ_ff, K_ff or D_ff. Shape: M x M.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,6 +80,19 @@ impl<V: ModalVector<T>, T: RealField + Copy> ModalFactors<V, T> {
         match self {
             Self::Diagonal(inverse) => inverse.times(right),
             Self::Dense(factors) => V::solve(factors, right),
+        }
+    }
+
+    /// Solves with six right-hand sides in place. Shape: M x 6.
+    #[inline]
+    pub fn solve_sixes(&self, right: &mut V::Sixes) {
+        match self {
+            Self::Diagonal(inverse) => {
+                for (six, inverse) in right.as_mut().iter_mut().zip(inverse.as_slice()) {
+                    *six = scaled(*inverse, six);
+                }
+            }
+            Self::Dense(factors) => V::solve_sixes(factors, right),
         }
     }
 }

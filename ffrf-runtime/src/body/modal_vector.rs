@@ -13,6 +13,8 @@ pub trait ModalVector<T: RealField + Copy>: Clone + PartialEq + fmt::Debug {
     type Matrix: Clone + PartialEq + fmt::Debug;
     /// Factors of a symmetric positive definite [`Matrix`](Self::Matrix).
     type Factors: Clone + fmt::Debug;
+    /// Six numbers for each mode. Shape: M x 6.
+    type Sixes: Clone + PartialEq + fmt::Debug + AsRef<[[T; 6]]> + AsMut<[[T; 6]]>;
 
     /// The numbers. Shape: M.
     fn as_slice(&self) -> &[T];
@@ -28,6 +30,10 @@ pub trait ModalVector<T: RealField + Copy>: Clone + PartialEq + fmt::Debug {
     fn factor(matrix: &Self::Matrix) -> Option<Self::Factors>;
     /// The solution of the factored matrix times x = `right`. Shape: M.
     fn solve(factors: &Self::Factors, right: &Self) -> Self;
+    /// Zeros, six for each number here. Shape: M x 6.
+    fn zero_sixes(&self) -> Self::Sixes;
+    /// Solves with six right-hand sides in place. Shape: M x 6.
+    fn solve_sixes(factors: &Self::Factors, right: &mut Self::Sixes);
 
     /// Zeros, as many as here.
     fn zeros_alike(&self) -> Self {
@@ -81,6 +87,7 @@ pub trait ModalVector<T: RealField + Copy>: Clone + PartialEq + fmt::Debug {
 impl<const M: usize, T: RealField + Copy> ModalVector<T> for SVector<T, M> {
     type Matrix = SMatrix<T, M, M>;
     type Factors = Cholesky<T, Const<M>>;
+    type Sixes = [[T; 6]; M];
 
     #[inline(always)]
     fn as_slice(&self) -> &[T] {
@@ -121,5 +128,37 @@ impl<const M: usize, T: RealField + Copy> ModalVector<T> for SVector<T, M> {
 
     fn solve(factors: &Self::Factors, right: &Self) -> Self {
         factors.solve(right)
+    }
+
+    #[inline(always)]
+    fn zero_sixes(&self) -> Self::Sixes {
+        [[T::zero(); 6]; M]
+    }
+
+    fn solve_sixes(factors: &Self::Factors, right: &mut Self::Sixes) {
+        for column in 0..6 {
+            let mut solution = Self::zeros();
+            gather(right, column, &mut solution.data.0[0]);
+            factors.solve_mut(&mut solution);
+            scatter(&solution.data.0[0], column, right);
+        }
+    }
+}
+
+/// Takes one of the six numbers of each mode.
+pub(crate) fn gather<T: Copy>(sixes: &[[T; 6]], column: usize, to: &mut [T]) {
+    for (place, six) in to.iter_mut().zip(sixes) {
+        if let Some(number) = six.get(column) {
+            *place = *number;
+        }
+    }
+}
+
+/// Puts one of the six numbers of each mode.
+pub(crate) fn scatter<T: Copy>(numbers: &[T], column: usize, to: &mut [[T; 6]]) {
+    for (number, six) in numbers.iter().zip(to) {
+        if let Some(place) = six.get_mut(column) {
+            *place = *number;
+        }
     }
 }

@@ -2,7 +2,9 @@
 
 use nalgebra::{Cholesky, Const, Matrix3, Matrix6, RealField, Vector3, Vector6};
 
+use super::modal_vector::scatter;
 use super::{GeneralisedForce, ModalFactors, ModalMatrix, ModalVector, Motion};
+use crate::six::{dot, subtract_scaled};
 
 /// The deformed quantities of one state (q, ω, q̇) of a body. Frame: body.
 ///
@@ -104,19 +106,18 @@ impl<V: ModalVector<T>, T: RealField + Copy> Prepared<V, T> {
     /// The mass matrix with the modes eliminated through the factors of Θ_ff, or of Θ_ff with implicit terms.
     pub fn eliminate(&self, modal: ModalFactors<V, T>) -> Eliminated<V, T> {
         let coupling = self.coupling();
-        let followed = coupling.map(|row| modal.solve(row));
+        let mut followed = self.internal_force.zero_sixes();
+        for (axis, row) in coupling.into_iter().enumerate() {
+            scatter(row.as_slice(), axis, followed.as_mut());
+        }
+        modal.solve_sixes(&mut followed);
         let mut remaining = self.rigid_mass();
-        for (j, followed) in followed.iter().enumerate() {
-            for (i, row) in coupling.iter().enumerate().skip(j) {
-                let entry = row.dot(followed);
-                // `get_mut` and not an index: these loops are not unrolled, and nothing here may panic
-                if let Some(place) = remaining.get_mut((i, j)) {
-                    *place -= entry;
-                }
-                if let Some(place) = remaining.get_mut((j, i)).filter(|_| i > j) {
-                    *place -= entry;
-                }
+        for (place, row) in remaining.data.0.iter_mut().zip(coupling) {
+            let mut column = *place;
+            for (entry, followed) in row.as_slice().iter().zip(followed.as_ref()) {
+                subtract_scaled(&mut column, *entry, followed);
             }
+            *place = column;
         }
         Eliminated { followed, remaining, modal }
     }
@@ -127,9 +128,9 @@ impl<V: ModalVector<T>, T: RealField + Copy> Prepared<V, T> {
 /// Z = M_rr - C Θ_ff⁻¹ Cᵀ is what is left for rigid motion, with C = [m B; Θ_rf(q)].
 #[derive(Debug, Clone)]
 pub struct Eliminated<V: ModalVector<T>, T: RealField + Copy> {
-    /// Columns of Θ_ff⁻¹ Cᵀ: how the modes follow rigid motion. Shape: 6 of M.
-    pub followed: [V; 6],
-    /// Z, symmetric. Shape: 6 x 6.
+    /// Θ_ff⁻¹ Cᵀ: how the modes follow rigid motion. Shape: M x 6.
+    pub followed: V::Sixes,
+    /// Z, symmetric to round-off. Shape: 6 x 6.
     pub remaining: Matrix6<T>,
     /// Factors of Θ_ff, with implicit terms if there are any.
     pub modal: ModalFactors<V, T>,
@@ -146,17 +147,17 @@ impl<V: ModalVector<T>, T: RealField + Copy> Eliminated<V, T> {
     pub fn reduced_force(&self, force: &GeneralisedForce<V, T>) -> Vector6<T> {
         let [x, y, z] = force.force.into();
         let [r_x, r_y, r_z] = force.moment.into();
-        let mut rigid = Vector6::new(x, y, z, r_x, r_y, r_z);
-        for (entry, followed) in rigid.iter_mut().zip(&self.followed) {
-            *entry -= followed.dot(&force.modal);
+        let mut rigid = [x, y, z, r_x, r_y, r_z];
+        for (force, followed) in force.modal.as_slice().iter().zip(self.followed.as_ref()) {
+            subtract_scaled(&mut rigid, *force, followed);
         }
-        rigid
+        rigid.into()
     }
 
     /// The whole motion from that of the frame and the modes' own part.
     pub fn with_modes(&self, rigid: &Vector6<T>, mut alone: V) -> Motion<V, T> {
-        for (followed, acceleration) in self.followed.iter().zip(rigid.iter()) {
-            alone.add_scaled(-*acceleration, followed);
+        for (entry, followed) in alone.as_mut_slice().iter_mut().zip(self.followed.as_ref()) {
+            *entry -= dot(followed, &rigid.data.0[0]);
         }
         Motion {
             linear: Vector3::new(rigid.x, rigid.y, rigid.z),

@@ -3,8 +3,10 @@
 use nalgebra::{Matrix3, RealField, Vector3};
 
 use super::marker::{combine, transposed};
+use super::modal_vector::scatter;
 use super::span::{Span, half_way_orientation, turn_between};
 use super::{GeneralisedForce, Marker, MarkerMotion, ModalVector, PlacedMarker, Wrench};
+use crate::six::{Square, zeros};
 
 /// A marker of a body over a [`Span`].
 #[derive(Debug, Clone)]
@@ -52,6 +54,21 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> SpanMarker<'a, V, T> {
         motion.velocity = (last.position - first.position) / span.step;
         motion.angular_velocity = turn_between(&first.orientation, &last.orientation) / span.step;
         motion
+    }
+
+    /// [`generalised_force`](Self::generalised_force) of six wrenches, see
+    /// [`PlacedMarker::generalised_forces`](super::PlacedMarker).
+    pub(crate) fn generalised_forces(&self, wrenches: &Square<T>, modal: &mut [[T; 6]]) -> Square<T> {
+        let mut frame = zeros();
+        for column in 0..6 {
+            let [x, y, z, r_x, r_y, r_z] = wrenches.map(|component| component[column]);
+            let wrench = Wrench { force: Vector3::new(x, y, z), moment: Vector3::new(r_x, r_y, r_z) };
+            let force = self.generalised_force(&wrench);
+            scatter(force.modal.as_slice(), column, modal);
+            scatter(force.force.as_slice(), column, &mut frame[..3]);
+            scatter(force.moment.as_slice(), column, &mut frame[3..]);
+        }
+        frame
     }
 
     /// Generalised force, dual to the mean velocities, of a wrench that does the work f · Δr + μ · θ.

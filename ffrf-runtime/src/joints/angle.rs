@@ -15,9 +15,13 @@ impl JointShape for Angle {
 }
 
 impl<T: RealField + Copy> Joint<T> for Angle {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, drive: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
+    fn push_rows(
+        &self,
+        rows: &mut Rows<T>,
+        first: &MarkerMotion<T>,
+        second: &MarkerMotion<T>,
+        drive: &[T; 3],
+    ) {
         rows.push(angle(first, second, drive));
-        rows
     }
 }

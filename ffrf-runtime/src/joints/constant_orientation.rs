@@ -15,9 +15,7 @@ impl JointShape for ConstantOrientation {
 }
 
 impl<T: RealField + Copy> Joint<T> for ConstantOrientation {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        aligned(&mut rows, first, second, [true; 3]);
-        rows
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        aligned(rows, first, second, [true; 3]);
     }
 }

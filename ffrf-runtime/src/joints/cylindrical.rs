@@ -15,10 +15,8 @@ impl JointShape for Cylindrical {
 }
 
 impl<T: RealField + Copy> Joint<T> for Cylindrical {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        in_line(&mut rows, first, second);
-        parallel(&mut rows, first, second);
-        rows
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        in_line(rows, first, second);
+        parallel(rows, first, second);
     }
 }

@@ -18,9 +18,7 @@ impl<T> JointShape for Distance<T> {
 }
 
 impl<T: RealField + Copy> Joint<T> for Distance<T> {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
         rows.push(distance(first, second, self.length));
-        rows
     }
 }

@@ -16,10 +16,8 @@ impl JointShape for Fixed {
 }
 
 impl<T: RealField + Copy> Joint<T> for Fixed {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        coincident(&mut rows, first, second);
-        aligned(&mut rows, first, second, [true; 3]);
-        rows
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        coincident(rows, first, second);
+        aligned(rows, first, second, [true; 3]);
     }
 }

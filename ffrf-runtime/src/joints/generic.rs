@@ -19,14 +19,12 @@ pub struct Generic {
 }
 
 impl<T: RealField + Copy> Joint<T> for Generic {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
         for (axis, held) in axes(first).into_iter().zip(self.translation) {
             if held {
                 rows.push(in_plane(first, second, &axis, &[T::zero(); 3]));
             }
         }
-        aligned(&mut rows, first, second, self.rotation);
-        rows
+        aligned(rows, first, second, self.rotation);
     }
 }

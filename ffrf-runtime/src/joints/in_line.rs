@@ -15,9 +15,7 @@ impl JointShape for InLine {
 }
 
 impl<T: RealField + Copy> Joint<T> for InLine {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        in_line(&mut rows, first, second);
-        rows
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        in_line(rows, first, second);
     }
 }

@@ -15,10 +15,8 @@ impl JointShape for InPlane {
 }
 
 impl<T: RealField + Copy> Joint<T> for InPlane {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
         let [.., normal] = axes(first);
         rows.push(in_plane(first, second, &normal, &[T::zero(); 3]));
-        rows
     }
 }

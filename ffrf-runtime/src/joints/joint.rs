@@ -7,8 +7,21 @@ use crate::relations::Rows;
 
 /// A joint between two triads; where it has an axis, that is z.
 pub trait Joint<T: RealField + Copy> {
-    /// The constraint rows in the motion of both triads. `drive`: value, rate and acceleration, for driven joints.
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, drive: &[T; 3]) -> Rows<T>;
+    /// Adds the constraint rows in the motion of both triads. `drive`: value, rate and acceleration, for driven joints.
+    fn push_rows(
+        &self,
+        rows: &mut Rows<T>,
+        first: &MarkerMotion<T>,
+        second: &MarkerMotion<T>,
+        drive: &[T; 3],
+    );
+
+    /// The constraint rows alone, see [`push_rows`](Self::push_rows).
+    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, drive: &[T; 3]) -> Rows<T> {
+        let mut rows = Rows::none();
+        self.push_rows(&mut rows, first, second, drive);
+        rows
+    }
 }
 
 /// A joint whose rows are known when compiling.

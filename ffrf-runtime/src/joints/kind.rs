@@ -115,22 +115,28 @@ impl JointKind<f64> {
 }
 
 impl<T: RealField + Copy> Joint<T> for JointKind<T> {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, drive: &[T; 3]) -> Rows<T> {
+    fn push_rows(
+        &self,
+        rows: &mut Rows<T>,
+        first: &MarkerMotion<T>,
+        second: &MarkerMotion<T>,
+        drive: &[T; 3],
+    ) {
         match self {
-            Self::Angle(joint) => joint.rows(first, second, drive),
-            Self::ConstantOrientation(joint) => joint.rows(first, second, drive),
-            Self::Cylindrical(joint) => joint.rows(first, second, drive),
-            Self::Distance(joint) => joint.rows(first, second, drive),
-            Self::Fixed(joint) => joint.rows(first, second, drive),
-            Self::Generic(joint) => joint.rows(first, second, drive),
-            Self::InLine(joint) => joint.rows(first, second, drive),
-            Self::InPlane(joint) => joint.rows(first, second, drive),
-            Self::Planar(joint) => joint.rows(first, second, drive),
-            Self::Prismatic(joint) => joint.rows(first, second, drive),
-            Self::Revolute(joint) => joint.rows(first, second, drive),
-            Self::Spherical(joint) => joint.rows(first, second, drive),
-            Self::Travel(joint) => joint.rows(first, second, drive),
-            Self::Universal(joint) => joint.rows(first, second, drive),
+            Self::Angle(joint) => joint.push_rows(rows, first, second, drive),
+            Self::ConstantOrientation(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Cylindrical(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Distance(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Fixed(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Generic(joint) => joint.push_rows(rows, first, second, drive),
+            Self::InLine(joint) => joint.push_rows(rows, first, second, drive),
+            Self::InPlane(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Planar(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Prismatic(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Revolute(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Spherical(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Travel(joint) => joint.push_rows(rows, first, second, drive),
+            Self::Universal(joint) => joint.push_rows(rows, first, second, drive),
         }
     }
 }

@@ -15,11 +15,9 @@ impl JointShape for Planar {
 }
 
 impl<T: RealField + Copy> Joint<T> for Planar {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
         let [.., normal] = axes(first);
         rows.push(in_plane(first, second, &normal, &[T::zero(); 3]));
-        parallel(&mut rows, first, second);
-        rows
+        parallel(rows, first, second);
     }
 }

@@ -16,10 +16,8 @@ impl JointShape for Prismatic {
 }
 
 impl<T: RealField + Copy> Joint<T> for Prismatic {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        in_line(&mut rows, first, second);
-        aligned(&mut rows, first, second, [true; 3]);
-        rows
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        in_line(rows, first, second);
+        aligned(rows, first, second, [true; 3]);
     }
 }

@@ -16,10 +16,8 @@ impl JointShape for Revolute {
 }
 
 impl<T: RealField + Copy> Joint<T> for Revolute {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        coincident(&mut rows, first, second);
-        parallel(&mut rows, first, second);
-        rows
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        coincident(rows, first, second);
+        parallel(rows, first, second);
     }
 }

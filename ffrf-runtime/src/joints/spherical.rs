@@ -15,9 +15,7 @@ impl JointShape for Spherical {
 }
 
 impl<T: RealField + Copy> Joint<T> for Spherical {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        coincident(&mut rows, first, second);
-        rows
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        coincident(rows, first, second);
     }
 }

@@ -15,10 +15,14 @@ impl JointShape for Travel {
 }
 
 impl<T: RealField + Copy> Joint<T> for Travel {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, drive: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
+    fn push_rows(
+        &self,
+        rows: &mut Rows<T>,
+        first: &MarkerMotion<T>,
+        second: &MarkerMotion<T>,
+        drive: &[T; 3],
+    ) {
         let [.., normal] = axes(first);
         rows.push(in_plane(first, second, &normal, drive));
-        rows
     }
 }

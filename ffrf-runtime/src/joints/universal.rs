@@ -15,11 +15,9 @@ impl JointShape for Universal {
 }
 
 impl<T: RealField + Copy> Joint<T> for Universal {
-    fn rows(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) -> Rows<T> {
-        let mut rows = Rows::none();
-        coincident(&mut rows, first, second);
+    fn push_rows(&self, rows: &mut Rows<T>, first: &MarkerMotion<T>, second: &MarkerMotion<T>, _: &[T; 3]) {
+        coincident(rows, first, second);
         let ([.., u], [.., w]) = (axes(first), axes(second));
         rows.push(perpendicular(first, second, &u, &w));
-        rows
     }
 }

@@ -1,27 +1,31 @@
 //! The workspace of one body in a mechanism.
 
-use nalgebra::{RealField, Vector3, Vector6};
+use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
-use super::{Phase, Port};
+use super::{Level, Phase, Port, RigidFrame};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep,
     ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench,
 };
 use crate::integrators::StepError;
+use crate::rotation::matrix;
+use crate::six::{Square, add_products, dot, scaled, six_times, subtract_scaled, zeros};
 
-/// A constraint row on one body: its gradient to the modes.
+/// The rows of a joint on one body: their gradients to the modes, row by row side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AttachedRow<V> {
-    /// Modal part of the gradient. Shape: M.
-    modal: V,
-    /// Θ_ff⁻¹ times that. Shape: M.
-    weighted: V,
+pub struct AttachedRows<V: ModalVector<T>, T: RealField + Copy = f64> {
+    /// Modal part of the gradients. Shape: M x rows.
+    modal: V::Sixes,
+    /// Θ_ff⁻¹ times that. Shape: M x rows.
+    weighted: V::Sixes,
+    /// Number of rows.
+    count: usize,
 }
 
-impl<V: Clone> AttachedRow<V> {
-    /// A row without effect.
+impl<V: ModalVector<T>, T: RealField + Copy> AttachedRows<V, T> {
+    /// Rows without effect.
     pub fn empty(zeros: &V) -> Self {
-        Self { modal: zeros.clone(), weighted: zeros.clone() }
+        Self { modal: zeros.zero_sixes(), weighted: zeros.zero_sixes(), count: 0 }
     }
 }
 
@@ -42,13 +46,15 @@ impl<I, T: Copy> Clone for ImplicitTerms<'_, I, T> {
 
 impl<I, T: Copy> Copy for ImplicitTerms<'_, I, T> {}
 
-/// One body in one state, with its forces and the rows of its joints; `R` holds as many rows as joints have there.
+/// One body in one state, with its forces and the rows of its joints; `R` holds as many [`AttachedRows`] as joints have ends there.
 #[derive(Debug, Clone)]
 pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
     body: &'a B,
     markers: &'a [Marker<B::Modal, T>],
     /// The state of this evaluation.
     pub state: State<B::Modal, T>,
+    /// The axes of the body in this state as columns. Frame: inertial.
+    axes: Matrix3<T>,
     /// Force of loads and force elements so far.
     pub force: GeneralisedForce<B::Modal, T>,
     /// The result: accelerations, or a correction of place or velocities.
@@ -56,6 +62,10 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
     implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
     rows: R,
     eliminated: Option<Eliminated<B::Modal, T>>,
+    /// What the unknowns of a body without modes are; else the accelerations of its frame are unknown.
+    frame: Option<RigidFrame<T>>,
+    /// One over the diagonal of Z; zero where that is not positive.
+    yields: [T; 6],
     net: GeneralisedForce<B::Modal, T>,
     alone: B::Modal,
     /// A step of the energy-momentum method, and what is shown of it.
@@ -65,10 +75,12 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
 impl<'a, B, R, T> BodyPort<'a, B, R, T>
 where
     B: FlexibleBody<T>,
-    R: AsRef<[AttachedRow<B::Modal>]> + AsMut<[AttachedRow<B::Modal>]>,
+    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
     T: RealField + Copy,
 {
     /// A body in a state, without forces.
+    // inlined, so that it is made where it stays
+    #[inline(always)]
     pub fn new(
         body: &'a B,
         markers: &'a [Marker<B::Modal, T>],
@@ -80,12 +92,15 @@ where
         Self {
             body,
             markers,
+            axes: matrix(&state.orientation),
             state,
             force: GeneralisedForce::zeros(&zeros),
             motion: Motion::zeros(&zeros),
             implicit,
             rows,
             eliminated: None,
+            frame: None,
+            yields: [T::zero(); 6],
             net: GeneralisedForce::zeros(&zeros),
             alone: zeros,
             span: None,
@@ -130,12 +145,35 @@ where
         }
     }
 
+    fn keep(&mut self, eliminated: Option<Eliminated<B::Modal, T>>) -> Result<(), StepError> {
+        self.eliminated = eliminated;
+        let eliminated = self.eliminated.as_ref().ok_or(StepError::MassNotPositive)?;
+        let mass = &eliminated.remaining.data.0;
+        six_times!(K: { self.yields[K] = if mass[K][K] > T::zero() { T::one() / mass[K][K] } else { T::zero() }; });
+        self.frame = self.alone.as_slice().is_empty().then(|| RigidFrame::new(&eliminated.remaining));
+        Ok(())
+    }
+
+    /// Applies the resulting motion to the state: a displacement, or a change of velocity.
+    pub fn correct(&mut self, level: Level) {
+        match level {
+            Level::Position => self.state.displace(&self.motion),
+            Level::Velocity => self.state.push(&self.motion),
+        }
+        self.axes = matrix(&self.state.orientation);
+    }
+
+    #[inline]
     fn placed(&self, marker: usize) -> Option<PlacedMarker<'a, B::Modal, T>> {
-        self.markers.get(marker).map(|marker| PlacedMarker::new(marker, &self.state))
+        self.markers.get(marker).map(|marker| PlacedMarker::with_axes(marker, &self.state, &self.axes))
     }
 
     fn generalised_force(&self, marker: usize, wrench: &Wrench<T>) -> Option<GeneralisedForce<B::Modal, T>> {
-        self.markers.get(marker).map(|marker| self.force_of(marker, wrench))
+        let marker = self.markers.get(marker)?;
+        Some(match &self.span {
+            Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
+            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).generalised_force(wrench),
+        })
     }
 
     fn twist(&self, marker: usize, motion: &Motion<B::Modal, T>) -> [Vector3<T>; 2] {
@@ -146,7 +184,7 @@ where
 impl<B, R, T> Port<T> for BodyPort<'_, B, R, T>
 where
     B: FlexibleBody<T>,
-    R: AsRef<[AttachedRow<B::Modal>]> + AsMut<[AttachedRow<B::Modal>]>,
+    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
     T: RealField + Copy,
 {
     fn marker_motion(&self, marker: usize) -> MarkerMotion<T> {
@@ -173,7 +211,7 @@ where
             self.force.add_scaled(T::one(), &span.weight(self.body, gravity));
             return;
         }
-        let resolved = self.state.to_body(gravity);
+        let resolved = self.axes.tr_mul(gravity);
         let weight = self.body.gravity_force(&self.state.modal_coordinates, &resolved);
         self.force.add_scaled(T::one(), &weight);
     }
@@ -184,6 +222,7 @@ where
             (place, Some(ImplicitTerms { gamma_h, subtracted: Some(velocities) })) => {
                 let span = Span::new(&self.state, velocities, gamma_h + gamma_h);
                 self.state = span.middle.clone();
+                self.axes = matrix(&self.state.orientation);
                 *place = Some((span, phase));
             }
             _ => {}
@@ -194,8 +233,7 @@ where
         if let Some((span, _)) = &self.span {
             let (stage, missing) = span.stage(self.body, &self.force).ok_or(StepError::MassNotPositive)?;
             self.net = missing;
-            self.eliminated = Some(stage.eliminated);
-            return Ok(());
+            return self.keep(Some(stage.eliminated));
         }
         let (body, state) = (self.body, &self.state);
         let eliminated = match self.implicit {
@@ -212,46 +250,80 @@ where
                 })
             }
         };
-        self.eliminated = eliminated;
-        if self.eliminated.is_some() { Ok(()) } else { Err(StepError::MassNotPositive) }
+        self.keep(eliminated)
     }
 
-    fn rigid_mass(&self) -> [[T; 6]; 6] {
-        self.eliminated.as_ref().map_or([[T::zero(); 6]; 6], |eliminated| eliminated.remaining.into())
+    fn rigid_mass(&self, to: &mut Square<T>) {
+        match (&self.frame, &self.eliminated) {
+            (Some(frame), _) => six_times!(K: { to[K][K] = frame.masses()[K]; }),
+            (None, Some(eliminated)) => *to = eliminated.remaining.data.0,
+            (None, None) => *to = zeros(),
+        }
     }
 
     fn has_modes(&self) -> bool {
         !self.alone.as_slice().is_empty()
     }
 
-    fn attach(&mut self, slot: usize, marker: usize, gradients: &[Wrench<T>], effects: &mut [[T; 6]]) {
+    fn attach(
+        &mut self,
+        slot: usize,
+        marker: usize,
+        rows: usize,
+        gradients: &Square<T>,
+        effects: &mut Square<T>,
+        compliances: Option<&mut [T; 6]>,
+    ) {
         let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
-        let placed = PlacedMarker::new(marker, &self.state);
-        let spanned = self.span.as_ref().map(|(span, _)| SpanMarker::new(marker, span));
-        let places = self.rows.as_mut().iter_mut().skip(slot).zip(effects);
-        for (gradient, (place, effect)) in gradients.iter().zip(places) {
-            let force = match &spanned {
-                Some(spanned) => spanned.generalised_force(gradient),
-                None => placed.generalised_force(gradient),
-            };
-            *effect = eliminated.reduced_force(&force).into();
-            let weighted = eliminated.modal.solve(&force.modal);
-            *place = AttachedRow { modal: force.modal, weighted };
+        let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else { return };
+        *count = rows;
+        *effects = match &self.span {
+            Some((span, _)) => SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut()),
+            None => PlacedMarker::with_axes(marker, &self.state, &self.axes)
+                .generalised_forces(gradients, modal.as_mut()),
+        };
+        // component by component, so that the sums stay in registers
+        six_times!(K: {
+            let mut effect = effects[K];
+            for (followed, modal) in eliminated.followed.as_ref().iter().zip(modal.as_ref()) {
+                subtract_scaled(&mut effect, followed[K], modal);
+            }
+            effects[K] = effect;
+        });
+        if let Some(compliances) = compliances {
+            for (effect, yields) in effects.iter().zip(&self.yields) {
+                add_products(compliances, effect, &scaled(*yields, effect));
+            }
+        }
+        match &self.frame {
+            Some(frame) => frame.to_components(effects),
+            None => {
+                weighted.clone_from(modal);
+                eliminated.modal.solve_sixes(weighted);
+            }
         }
     }
 
-    fn compliance(&self, slot: usize, other: usize) -> T {
+    fn subtract_compliance(&self, slot: usize, other: usize, from: &mut Square<T>) {
         let rows = self.rows.as_ref();
-        match (rows.get(slot), rows.get(other)) {
-            (Some(row), Some(other)) => row.modal.dot(&other.weighted),
-            _ => T::zero(),
+        let (Some(rows), Some(other)) = (rows.get(slot), rows.get(other)) else { return };
+        if other.weighted.as_ref().is_empty() {
+            return;
         }
+        six_times!(K: { if K < rows.count {
+            let mut row = from[K];
+            for (modal, weighted) in rows.modal.as_ref().iter().zip(other.weighted.as_ref()) {
+                subtract_scaled(&mut row, modal[K], weighted);
+            }
+            from[K] = row;
+        } });
     }
 
     fn reduced_force(&mut self) -> [T; 6] {
         let Some(eliminated) = &self.eliminated else { return [T::zero(); 6] };
         self.alone = eliminated.modal.solve(&self.net.modal);
-        eliminated.reduced_force(&self.net).into()
+        let force = eliminated.reduced_force(&self.net).into();
+        self.frame.as_ref().map_or(force, |frame| frame.force(force))
     }
 
     fn push_net(&mut self, marker: usize, wrench: &Wrench<T>) {
@@ -265,28 +337,35 @@ where
         self.alone = self.body.undeformed();
     }
 
-    fn modal_acceleration(&self, slot: usize) -> T {
-        self.rows.as_ref().get(slot).map_or(T::zero(), |row| row.modal.dot(&self.alone))
+    fn subtract_modal_accelerations(&self, slot: usize, from: &mut [T; 6]) {
+        if let Some(rows) = self.rows.as_ref().get(slot) {
+            for (acceleration, modal) in self.alone.as_slice().iter().zip(rows.modal.as_ref()) {
+                subtract_scaled(from, *acceleration, modal);
+            }
+        }
     }
 
-    fn subtracted_twist(&self, marker: usize) -> [Vector3<T>; 2] {
+    fn subtracted_twist(&self, marker: usize) -> Option<[Vector3<T>; 2]> {
         match self.implicit {
             Some(ImplicitTerms { subtracted: Some(subtracted), .. }) => {
-                self.twist(marker, &subtracted.velocities(&self.state))
+                Some(self.twist(marker, &subtracted.velocities(&self.state)))
             }
-            _ => [Vector3::zeros(); 2],
+            _ => None,
         }
     }
 
     fn finish(&mut self, rigid: &[T; 6]) {
         if let Some(eliminated) = &self.eliminated {
-            self.motion = eliminated.with_modes(&Vector6::from(*rigid), self.alone.clone());
+            let rigid = self.frame.as_ref().map_or(*rigid, |frame| frame.motion(rigid));
+            self.motion = eliminated.with_modes(&Vector6::from(rigid), self.alone.clone());
         }
     }
 
-    fn follow(&mut self, slot: usize, multiplier: T) {
-        if let Some(row) = self.rows.as_ref().get(slot) {
-            self.motion.modal.add_scaled(multiplier, &row.weighted);
+    fn follow(&mut self, slot: usize, negative: &[T; 6]) {
+        if let Some(rows) = self.rows.as_ref().get(slot) {
+            for (entry, weighted) in self.motion.modal.as_mut_slice().iter_mut().zip(rows.weighted.as_ref()) {
+                *entry -= dot(weighted, negative);
+            }
         }
     }
 

@@ -3,22 +3,23 @@
 use nalgebra::RealField;
 
 use super::{Connection, Plan, Ports};
-use crate::body::{MarkerMotion, Wrench};
+use crate::body::MarkerMotion;
 use crate::integrators::StepError;
 use crate::joints::Joint;
-use crate::relations::{MOST_ROWS, Rows};
+use crate::relations::{Rows, add_powers};
+use crate::six::{self, add, add_products, add_scaled, products, scaled, six_times, transposed, zeros};
 
 /// How redundant rows are dealt with: the proximal method, exact for consistent redundant rows, reactions of least norm.
 ///
-/// The factored matrix has μ subtracted from the diagonal of the rows, and a fixed number of refinements takes its effect
-/// out again; since each begins with what the equations leave over, they also take out what an elimination without pivots
-/// loses. Source: Carpentier, Budhiraja, Mansard, Proximal and sparse resolution of constrained dynamic equations,
+/// The factored matrix has μ subtracted from the diagonal of the rows, and a bounded number of refinements takes its effect
+/// out again: what it makes the rows leave over, μ times the last correction of their multipliers, is solved for anew,
+/// until the next correction would be lost in round-off. Source: Carpentier, Budhiraja, Mansard, Proximal and sparse resolution of constrained dynamic equations,
 /// RSS 2021.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Regularisation<T = f64> {
     /// μ relative to the compliance that each row meets. Units: 1.
     pub share: T,
-    /// Number of refinements.
+    /// Most refinements.
     pub refinements: usize,
 }
 
@@ -32,6 +33,22 @@ impl<T: RealField + Copy> Regularisation<T> {
         Self { share: nalgebra::convert(share), refinements }
     }
 
+    /// Whether the next refinement would change multipliers by less than round-off of the system does.
+    ///
+    /// With the condition number κ a refinement changes its part of the last change by μ κ at most: when that was ε / μ of
+    /// the whole, ε κ is left. Measured by Σ μ λ², in which forces and moments have one unit.
+    fn is_met(&self, shift: &[[T; 6]], solution: &[[T; 6]], change: &[[T; 6]]) -> bool {
+        let squares = |numbers: &[[T; 6]]| {
+            let mut sum = [T::zero(); 6];
+            for (shift, numbers) in shift.iter().zip(numbers) {
+                add_products(&mut sum, &products(shift, numbers), numbers);
+            }
+            six::sum(&sum)
+        };
+        let share = T::default_epsilon() / self.share;
+        squares(change) <= share * share * squares(solution)
+    }
+
     /// For trees, whose rows are never redundant: nothing is added, nothing to refine.
     pub fn of_trees() -> Self {
         Self { share: T::zero(), refinements: 0 }
@@ -41,20 +58,22 @@ impl<T: RealField + Copy> Regularisation<T> {
 /// The numbers of one evaluation of a mechanism; sizes as its plan says.
 #[derive(Debug)]
 pub struct Storage<'a, T: RealField + Copy> {
-    /// Entries of the matrix, which become those of its factors; then once more those of the matrix, which stay.
-    pub values: &'a mut [T],
-    /// Unknowns: accelerations of frames and *negative* multipliers.
-    pub solution: &'a mut [T],
-    /// Right-hand side; after a solve, what the equations leave over before the last correction.
-    pub right: &'a mut [T],
-    /// μ of each row, at the place of its multiplier, while factoring; corrections of the solution while solving.
-    pub shift: &'a mut [T],
+    /// Blocks of the matrix, which become those of its factors.
+    pub blocks: &'a mut [[[T; 6]; 6]],
+    /// Unknowns of each node: accelerations of frames and *negative* multipliers.
+    pub solution: &'a mut [[T; 6]],
+    /// Right-hand side; after a solve, the last correction.
+    pub right: &'a mut [[T; 6]],
+    /// μ of each row, at the place of its multiplier.
+    pub shift: &'a mut [[T; 6]],
     /// Rows of each joint.
     pub rows: &'a mut [Rows<T>],
     /// What each friction that follows reactions exerts; as many as there are.
     pub efforts: &'a mut [T],
     /// Motion of both ends of each joint.
     pub ends: &'a mut [[MarkerMotion<T>; 2]],
+    /// Whether blocks hold something besides zeros.
+    pub used: bool,
 }
 
 /// Which level of the constraints a right-hand side corrects.
@@ -107,8 +126,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     pub fn evaluate(&mut self, drive: &dyn Fn(usize) -> [T; 3]) {
         let storage = self.storage.rows.iter_mut().zip(self.storage.ends.iter_mut());
         for (joint, (connection, (rows, ends))) in self.connections.iter().zip(storage).enumerate() {
-            *ends = [connection.first.motion(self.ports), connection.second.motion(self.ports)];
-            *rows = connection.kind.rows(&ends[0], &ends[1], &drive(joint));
+            let [first, second] = ends;
+            *first = connection.first.motion(self.ports);
+            *second = connection.second.motion(self.ports);
+            rows.restart();
+            connection.kind.push_rows(rows, first, second, &drive(joint));
         }
     }
 
@@ -116,95 +138,57 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     ///
     /// Errors: a body or the system has no factors.
     pub fn factor(&mut self) -> Result<T, StepError> {
-        halves(self.storage.values).0.fill(T::zero());
+        let share = self.regularisation.share;
+        let Storage { blocks, shift: shifts, rows, used, .. } = &mut *self.storage;
+        if core::mem::replace(used, true) {
+            blocks.fill(zeros());
+        }
         for (index, place) in self.plan.bodies.iter().enumerate() {
             let Some(port) = self.ports.port_mut(index) else { continue };
             port.factor()?;
-            for (i, row) in port.rigid_mass().iter().enumerate() {
-                for (j, entry) in row.iter().enumerate() {
-                    set(self.storage.values, place.diagonal + 6 * i + j, *entry);
+            let Some(block) = blocks.get_mut(place.diagonal) else { continue };
+            port.rigid_mass(block);
+        }
+        let joints = self.plan.joints.iter().zip(self.connections).zip(rows.iter());
+        for ((place, connection), rows) in joints {
+            let mut shift = [T::zero(); 6];
+            for ((end, attachment), gradients) in
+                place.ends.iter().zip([&connection.first, &connection.second]).zip(rows.gradients())
+            {
+                let Some(end) = end else { continue };
+                let Some(port) = self.ports.port_mut(end.body) else { continue };
+                let Some(block) = blocks.get_mut(end.block.index) else { continue };
+                let measured = (share > T::zero()).then_some(&mut shift);
+                port.attach(end.slot, attachment.marker, rows.len(), gradients, block, measured);
+                if end.block.transposed {
+                    *block = transposed(block);
+                }
+                if let Some(block) = blocks.get_mut(place.diagonal) {
+                    port.subtract_compliance(end.slot, end.slot, block);
                 }
             }
-        }
-        for (joint, place) in self.plan.joints.iter().enumerate() {
-            self.attach(joint, place);
+            if let (true, Some(block)) = (share > T::zero(), blocks.get_mut(place.diagonal)) {
+                six_times!(K: {
+                    shift[K] = share * (shift[K] - block[K][K]);
+                    block[K][K] -= shift[K];
+                });
+                if let Some(kept) = shifts.get_mut(place.node) {
+                    *kept = shift;
+                }
+            }
         }
         for shared in self.plan.shared {
-            let Some(port) = self.ports.port(shared.body) else { continue };
-            for i in 0..shared.first.1 {
-                for j in 0..shared.second.1 {
-                    let compliance = port.compliance(shared.first.0 + i, shared.second.0 + j);
-                    add(self.storage.values, shared.block.entry(i, j), -compliance);
-                }
+            let (rows, columns) = match shared.block.transposed {
+                true => (shared.first, shared.second),
+                false => (shared.second, shared.first),
+            };
+            if let (Some(port), Some(block)) =
+                (self.ports.port(shared.body), blocks.get_mut(shared.block.index))
+            {
+                port.subtract_compliance(rows, columns, block);
             }
         }
-        let (factors, matrix) = halves(self.storage.values);
-        if self.regularisation.refinements > 0 {
-            copy(matrix, factors);
-        }
-        if self.regularisation.share > T::zero() {
-            for place in self.plan.joints {
-                for k in 0..place.rows {
-                    let shift = get(self.storage.shift, place.unknowns + k);
-                    add(factors, place.diagonal + (place.rows + 1) * k, -shift);
-                }
-            }
-        }
-        self.plan.elimination.factor(factors).ok_or(StepError::MassNotPositive)
-    }
-
-    /// The rows of one joint: their effects on frames, the compliance of modes, and μ.
-    fn attach(&mut self, joint: usize, place: &super::JointPlace) {
-        let Some(connection) = self.connections.get(joint) else { return };
-        let Some(rows) = self.storage.rows.get(joint).copied() else { return };
-        for (side, end) in place.ends.iter().enumerate() {
-            let Some(end) = end else { continue };
-            let marker = if side == 0 { connection.first.marker } else { connection.second.marker };
-            let diagonal = self.plan.bodies.get(end.body).map_or(0, |body| body.diagonal);
-            let Some(port) = self.ports.port_mut(end.body) else { continue };
-            let mut gradients = [Wrench::zero(); MOST_ROWS];
-            for (gradient, row) in gradients.iter_mut().zip(rows.as_slice()) {
-                *gradient = if side == 0 { row.first } else { row.second };
-            }
-            let gradients = gradients.get(..rows.as_slice().len()).unwrap_or(&[]);
-            let mut effects = [[T::zero(); 6]; MOST_ROWS];
-            port.attach(end.slot, marker, gradients, &mut effects);
-            for (k, effect) in effects.iter().enumerate().take(gradients.len()) {
-                for (i, entry) in effect.iter().enumerate() {
-                    add(self.storage.values, end.block.entry(k, i), *entry);
-                }
-            }
-            if port.has_modes() {
-                for i in 0..place.rows {
-                    for j in 0..=i {
-                        let compliance = port.compliance(end.slot + i, end.slot + j);
-                        add(self.storage.values, place.diagonal + place.rows * i + j, -compliance);
-                        if i != j {
-                            add(self.storage.values, place.diagonal + place.rows * j + i, -compliance);
-                        }
-                    }
-                }
-            }
-            if self.regularisation.share <= T::zero() {
-                continue;
-            }
-            for (k, effect) in effects.iter().enumerate().take(gradients.len()) {
-                let mut scale =
-                    if port.has_modes() { port.compliance(end.slot + k, end.slot + k) } else { T::zero() };
-                for (i, entry) in effect.iter().enumerate() {
-                    let mass = get(self.storage.values, diagonal + 7 * i);
-                    if mass > T::zero() {
-                        scale += *entry * *entry / mass;
-                    }
-                }
-                let shift = scale * self.regularisation.share;
-                if side == 0 || place.ends[0].is_none() {
-                    set(self.storage.shift, place.unknowns + k, shift);
-                } else {
-                    add(self.storage.shift, place.unknowns + k, shift);
-                }
-            }
-        }
+        self.plan.elimination.factor(blocks).ok_or(StepError::MassNotPositive)
     }
 
     /// Accelerations of every body and multipliers, in the factored state.
@@ -213,44 +197,41 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     pub fn accelerate(&mut self, target: Target<T>) {
         for (index, place) in self.plan.bodies.iter().enumerate() {
             let Some(port) = self.ports.port_mut(index) else { continue };
-            for (i, entry) in port.reduced_force().iter().enumerate() {
-                set(self.storage.right, place.unknowns + i, *entry);
+            if let Some(right) = self.storage.right.get_mut(place.node) {
+                *right = port.reduced_force();
             }
         }
-        for (joint, place) in self.plan.joints.iter().enumerate() {
-            let (Some(rows), Some(ends), Some(connection)) =
-                (self.storage.rows.get(joint), self.storage.ends.get(joint), self.connections.get(joint))
-            else {
-                continue;
-            };
-            let [first, second] = ends;
-            for (k, row) in rows.as_slice().iter().enumerate() {
-                let mut wanted = match target {
-                    Target::Acceleration { gains } => {
-                        -row.whole_bias(first, second)
-                            - gains[0] * row.velocity(first, second)
-                            - gains[1] * row.residual
+        let joints = self.plan.joints.iter().zip(self.connections);
+        let evaluated = self.storage.rows.iter().zip(self.storage.ends.iter());
+        for ((place, connection), (rows, ends)) in joints.zip(evaluated) {
+            let Some(right) = self.storage.right.get_mut(place.node) else { continue };
+            let mut wanted = match target {
+                Target::Acceleration { gains: [damping, stiffness] } => {
+                    let mut wanted = rows.whole_biases(ends);
+                    if damping != T::zero() || stiffness != T::zero() {
+                        add_scaled(&mut wanted, damping, &rows.velocities(ends));
+                        add_scaled(&mut wanted, stiffness, rows.residuals());
                     }
-                    Target::Velocity { share } => -row.velocity(first, second) / share,
-                    Target::Position { share } => -row.residual / share,
-                    Target::Aimed => row.residual,
-                };
-                for (side, end) in place.ends.iter().enumerate() {
-                    let Some(end) = end else { continue };
-                    let Some(port) = self.ports.port(end.body) else { continue };
-                    wanted -= port.modal_acceleration(end.slot + k);
-                    if matches!(target, Target::Acceleration { .. }) {
-                        let (marker, gradient) = if side == 0 {
-                            (connection.first.marker, &row.first)
-                        } else {
-                            (connection.second.marker, &row.second)
-                        };
-                        let [linear, angular] = port.subtracted_twist(marker);
-                        wanted -= gradient.power(&linear, &angular);
-                    }
+                    scaled(-T::one(), &wanted)
                 }
-                set(self.storage.right, place.unknowns + k, wanted);
+                Target::Velocity { share } => scaled(-T::one() / share, &rows.velocities(ends)),
+                Target::Position { share } => scaled(-T::one() / share, rows.residuals()),
+                Target::Aimed => *rows.residuals(),
+            };
+            for ((end, attachment), gradients) in
+                place.ends.iter().zip([&connection.first, &connection.second]).zip(rows.gradients())
+            {
+                let Some(end) = end else { continue };
+                let Some(port) = self.ports.port(end.body) else { continue };
+                port.subtract_modal_accelerations(end.slot, &mut wanted);
+                if !matches!(target, Target::Acceleration { .. }) {
+                    continue;
+                }
+                if let Some([linear, angular]) = port.subtracted_twist(attachment.marker) {
+                    add_powers(&mut wanted, gradients, &-linear, &-angular);
+                }
             }
+            *right = wanted;
         }
         self.solve();
     }
@@ -259,8 +240,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// [`take_aim`](Self::take_aim). `share`: what a change of the unknowns is multiplied by to change places.
     pub fn aim(&mut self, share: T) {
         for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter()) {
-            for (k, row) in rows.as_slice().iter().enumerate() {
-                set(self.storage.right, place.unknowns + k, -row.residual / share);
+            if let Some(right) = self.storage.right.get_mut(place.node) {
+                *right = scaled(-T::one() / share, rows.residuals());
             }
         }
     }
@@ -268,62 +249,69 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Puts what [`aim`](Self::aim) has stored in the place of the residuals of rows that were evaluated anew since.
     pub fn take_aim(&mut self) {
         for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter_mut()) {
-            for (k, row) in rows.as_mut_slice().iter_mut().enumerate() {
-                row.residual = get(self.storage.right, place.unknowns + k);
+            if let Some(right) = self.storage.right.get(place.node) {
+                rows.set_residuals(*right);
             }
         }
     }
 
     /// Displacements or changes of velocity of least kinetic energy that take the residuals of a level away, to first order.
     pub fn correct(&mut self, level: Level) {
-        self.storage.right.fill(T::zero());
+        self.storage.right.fill([T::zero(); 6]);
         for index in 0..self.plan.bodies.len() {
             if let Some(port) = self.ports.port_mut(index) {
                 port.without_force();
             }
         }
-        for (joint, place) in self.plan.joints.iter().enumerate() {
-            let (Some(rows), Some(ends)) = (self.storage.rows.get(joint), self.storage.ends.get(joint))
-            else {
-                continue;
+        let evaluated = self.storage.rows.iter().zip(self.storage.ends.iter());
+        for (place, (rows, ends)) in self.plan.joints.iter().zip(evaluated) {
+            let Some(right) = self.storage.right.get_mut(place.node) else { continue };
+            *right = match level {
+                Level::Position => scaled(-T::one(), rows.residuals()),
+                Level::Velocity => scaled(-T::one(), &rows.velocities(ends)),
             };
-            for (k, row) in rows.as_slice().iter().enumerate() {
-                let residual = match level {
-                    Level::Position => row.residual,
-                    Level::Velocity => row.velocity(&ends[0], &ends[1]),
-                };
-                set(self.storage.right, place.unknowns + k, -residual);
-            }
         }
         self.solve();
     }
 
     fn solve(&mut self) {
-        let Storage { values, solution, right, shift: correction, .. } = &mut *self.storage;
-        let (factors, matrix) = halves(values);
+        let Storage { blocks, solution, right, shift, .. } = &mut *self.storage;
         let elimination = &self.plan.elimination;
+        let (leading, all) = (elimination.leading, elimination.steps.len());
         copy(solution, right);
-        elimination.solve(factors, solution);
-        copy(correction, solution);
-        for _ in 0..self.regularisation.refinements {
-            elimination.subtract_product(matrix, correction, right);
-            copy(correction, right);
-            elimination.solve(factors, correction);
-            for (sum, change) in solution.iter_mut().zip(correction.iter()) {
-                *sum += *change;
+        elimination.solve_forwards(0, blocks, solution);
+        elimination.solve_backwards(leading..all, blocks, solution);
+        // what μ makes the rows leave over, again and again: multipliers are negative here
+        for refinement in 0..self.regularisation.refinements {
+            for (node, (right, solution)) in right.iter_mut().zip(solution.iter()).enumerate() {
+                let last = if refinement == 0 { solution } else { &*right };
+                *right = match shift.get(node) {
+                    Some(shift) => scaled(-T::one(), &products(shift, last)),
+                    None => [T::zero(); 6],
+                };
+            }
+            elimination.solve_forwards(leading, blocks, right);
+            elimination.solve_backwards(leading..all, blocks, right);
+            for node in elimination.nodes_from(leading) {
+                if let (Some(sum), Some(change)) = (solution.get_mut(node), right.get(node)) {
+                    add(sum, change);
+                }
+            }
+            if self.regularisation.is_met(shift, solution, right) {
+                break;
             }
         }
+        elimination.solve_backwards(0..leading, blocks, solution);
         for (index, place) in self.plan.bodies.iter().enumerate() {
-            let rigid = core::array::from_fn(|i| get(solution, place.unknowns + i));
-            if let Some(port) = self.ports.port_mut(index) {
-                port.finish(&rigid);
+            if let (Some(port), Some(rigid)) = (self.ports.port_mut(index), solution.get(place.node)) {
+                port.finish(rigid);
             }
         }
         for place in self.plan.joints {
+            let Some(multipliers) = solution.get(place.node) else { continue };
             for end in place.ends.iter().flatten() {
-                let Some(port) = self.ports.port_mut(end.body) else { continue };
-                for k in 0..place.rows {
-                    port.follow(end.slot + k, -get(solution, place.unknowns + k));
+                if let Some(port) = self.ports.port_mut(end.body).filter(|port| port.has_modes()) {
+                    port.follow(end.slot, multipliers);
                 }
             }
         }
@@ -333,13 +321,12 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     pub fn residuals(&self) -> ([T; 2], usize) {
         let mut largest = ([T::zero(); 2], 0);
         for (joint, (rows, ends)) in self.storage.rows.iter().zip(self.storage.ends.iter()).enumerate() {
-            for row in rows.as_slice() {
-                let position = row.residual.abs();
+            for (position, velocity) in rows.residuals().iter().zip(&rows.velocities(ends)) {
+                let (position, velocity) = (position.abs(), velocity.abs());
                 if is_worse(position, largest.0[0]) {
                     largest.0[0] = position;
                     largest.1 = joint;
                 }
-                let velocity = row.velocity(&ends[0], &ends[1]).abs();
                 if is_worse(velocity, largest.0[1]) {
                     largest.0[1] = velocity;
                 }
@@ -354,32 +341,10 @@ fn is_worse<T: RealField + Copy>(residual: T, largest: T) -> bool {
     residual > largest || (largest.is_finite() && !residual.is_finite())
 }
 
-/// The factors and the matrix.
-fn halves<T>(values: &mut [T]) -> (&mut [T], &mut [T]) {
-    let half = values.len() / 2;
-    values.split_at_mut(half)
-}
-
 /// Copies as many as both have.
 fn copy<T: Copy>(to: &mut [T], from: &[T]) {
     for (place, value) in to.iter_mut().zip(from) {
         *place = *value;
-    }
-}
-
-fn get<T: RealField + Copy>(numbers: &[T], index: usize) -> T {
-    numbers.get(index).copied().unwrap_or(T::zero())
-}
-
-fn set<T>(numbers: &mut [T], index: usize, value: T) {
-    if let Some(place) = numbers.get_mut(index) {
-        *place = value;
-    }
-}
-
-fn add<T: RealField + Copy>(numbers: &mut [T], index: usize, value: T) {
-    if let Some(place) = numbers.get_mut(index) {
-        *place += value;
     }
 }
 

@@ -6,11 +6,14 @@
 //! (R. J. Vanderbei, Symmetric quasidefinite matrices, SIAM J. Optim. 5 (1995) 100-113;
 //! D. Baraff, Linear-time dynamics using Lagrange multipliers, SIGGRAPH 1996).
 
+use core::ops::Range;
+
 use nalgebra::RealField;
 
 use super::node::{Coupling, Node, Step};
+use crate::six::Square;
 
-/// Calls a method of a node with its number of unknowns as a constant, so that its loops have no bounds to check.
+/// Calls a method of a node with its number of unknowns as a constant, so that it is straight-line code.
 macro_rules! by_size {
     ($node:ident.$method:ident($($argument:expr),*)) => {
         match $node.step.size {
@@ -19,8 +22,7 @@ macro_rules! by_size {
             3 => $node.$method::<3, T>($($argument),*),
             4 => $node.$method::<4, T>($($argument),*),
             5 => $node.$method::<5, T>($($argument),*),
-            LARGEST_NODE => $node.$method::<LARGEST_NODE, T>($($argument),*),
-            _ => None,
+            _ => $node.$method::<LARGEST_NODE, T>($($argument),*),
         }
     };
 }
@@ -33,6 +35,8 @@ pub const LARGEST_NODE: usize = 6;
 pub struct Elimination<'a> {
     /// The nodes in their order.
     pub steps: &'a [Step],
+    /// Number of bodies that come before any joint: corrections of multipliers do not begin before them.
+    pub leading: usize,
     /// The couplings of each node, in the order of elimination of the later nodes.
     pub couplings: &'a [Coupling],
     /// Where the blocks of each pair of couplings begin.
@@ -40,9 +44,9 @@ pub struct Elimination<'a> {
 }
 
 impl<'a> Elimination<'a> {
-    fn nodes(&self) -> impl DoubleEndedIterator<Item = Node<'a>> + use<'a> {
+    fn nodes(&self, range: Range<usize>) -> impl DoubleEndedIterator<Item = Node<'a>> + use<'a> {
         let (steps, couplings, targets) = (self.steps, self.couplings, self.targets);
-        (0..steps.len()).filter_map(move |index| {
+        range.filter_map(move |index| {
             let step = steps.get(index)?;
             let end = steps.get(index + 1).map_or(couplings.len(), |next| next.couplings);
             Some(Node {
@@ -53,32 +57,44 @@ impl<'a> Elimination<'a> {
         })
     }
 
-    /// Factors the matrix in place: its lower triangle becomes L, its diagonal D⁻¹.
+    /// The nodes from the `start`-th to the last.
+    pub(super) fn nodes_from(&self, start: usize) -> impl Iterator<Item = usize> + use<'a> {
+        self.steps.iter().skip(start).map(|step| step.node)
+    }
+
+    /// Factors the matrix in place.
     ///
     /// Returns the smallest |pivot| over the largest of its block's diagonal before elimination, the digits lost there.
     /// `None` if a pivot is zero or not finite.
-    pub fn factor<T: RealField + Copy>(&self, values: &mut [T]) -> Option<T> {
+    pub(super) fn factor<T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<T> {
         let mut smallest = T::one();
-        for node in self.nodes() {
-            smallest = smallest.min(by_size!(node.factor(values))?);
+        for node in self.nodes(0..self.steps.len()) {
+            smallest = smallest.min(by_size!(node.factor(blocks))?);
         }
         Some(smallest)
     }
 
-    /// Solves the factored system in place.
-    pub fn solve<T: RealField + Copy>(&self, values: &[T], unknowns: &mut [T]) {
-        for node in self.nodes() {
-            let _ = by_size!(node.solve_forwards(values, unknowns));
-        }
-        for node in self.nodes().rev() {
-            let _ = by_size!(node.solve_backwards(values, unknowns));
+    /// The first half of a solve in place, over the nodes from `start` on.
+    pub(super) fn solve_forwards<T: RealField + Copy>(
+        &self,
+        start: usize,
+        blocks: &[Square<T>],
+        unknowns: &mut [[T; 6]],
+    ) {
+        for node in self.nodes(start..self.steps.len()) {
+            let _ = by_size!(node.solve_forwards(blocks, unknowns));
         }
     }
 
-    /// Subtracts the product of a matrix that is not factored with `unknowns` from `right`.
-    pub fn subtract_product<T: RealField + Copy>(&self, matrix: &[T], unknowns: &[T], right: &mut [T]) {
-        for node in self.nodes() {
-            let _ = by_size!(node.subtract_product(matrix, unknowns, right));
+    /// The second half of a solve in place, over the nodes of `range` from the last to the first.
+    pub(super) fn solve_backwards<T: RealField + Copy>(
+        &self,
+        range: Range<usize>,
+        blocks: &[Square<T>],
+        unknowns: &mut [[T; 6]],
+    ) {
+        for node in self.nodes(range).rev() {
+            let _ = by_size!(node.solve_backwards(blocks, unknowns));
         }
     }
 }

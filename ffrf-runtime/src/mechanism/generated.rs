@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
-use super::{AttachedRow, Attachment, Connection, along_axis};
+use super::{AttachedRows, Attachment, Connection, along_axis};
 use crate::body::{FlexibleBody, MarkerMotion};
 use crate::joints::{Fixed, JointKind};
 
@@ -60,9 +60,9 @@ pub fn connect<T: RealField + Copy>(
 /// Rows without effect, for the joints on a body.
 pub fn empty_rows<const N: usize, B: FlexibleBody<T>, T: RealField + Copy>(
     body: &B,
-) -> [AttachedRow<B::Modal>; N] {
+) -> [AttachedRows<B::Modal, T>; N] {
     let zeros = body.undeformed();
-    core::array::from_fn(|_| AttachedRow::empty(&zeros))
+    core::array::from_fn(|_| AttachedRows::empty(&zeros))
 }
 
 /// The end of a joint before it is evaluated.

@@ -1,82 +1,86 @@
-//! One node in the elimination: dense blocks whose number of columns is a constant.
+//! One node in the elimination: square blocks of six, of which a node uses as many rows as it has unknowns.
+
+#![allow(clippy::absurd_extreme_comparisons)] // of the constants in `six_times`
 
 use nalgebra::RealField;
+
+use crate::six::{Square, dot, multiply_add, scaled, six_times, subtract_scaled};
 
 /// A node in the order of elimination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
     /// Number of unknowns.
     pub size: usize,
-    /// Where its unknowns begin in a vector of all.
-    pub unknowns: usize,
-    /// Where its diagonal block begins among the values, row by row; the blocks of its couplings follow in their order.
+    /// The node: where its unknowns stand.
+    pub node: usize,
+    /// Its diagonal block; the blocks of its couplings follow in their order.
     pub diagonal: usize,
     /// First of its couplings.
     pub couplings: usize,
+    /// Whether this is a rigid body that nothing has been taken out of: its mass matrix is diagonal then.
+    pub is_diagonal: bool,
     /// First of its targets: one for each pair of couplings p >= q, in the order (0, 0), (1, 0), (1, 1), (2, 0), ...
     pub targets: usize,
 }
 
 /// A node that is eliminated later and coupled to a node that is eliminated now.
 ///
-/// Their block has the rows of the later node and the columns of the one eliminated now, row by row.
+/// Their block has the rows of the one eliminated now and the columns of the later node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Coupling {
     /// Number of unknowns of the later node.
     pub size: usize,
-    /// Where the unknowns of the later node begin in a vector of all.
-    pub unknowns: usize,
+    /// The later node.
+    pub node: usize,
 }
 
 /// A node, with the nodes that are coupled to it when its turn comes.
 pub(super) struct Node<'a> {
     pub(super) step: &'a Step,
     pub(super) couplings: &'a [Coupling],
-    /// Where the blocks of each pair of couplings begin.
+    /// The blocks of each pair of couplings.
     pub(super) targets: &'a [usize],
 }
 
 impl Node<'_> {
-    /// Number of rows of all couplings.
-    fn rows(&self) -> usize {
-        self.couplings.iter().map(|coupling| coupling.size).sum()
-    }
-
     /// Factors the diagonal block and takes the node out of the later ones; gives the smallest relative pivot.
-    pub(super) fn factor<const N: usize, T: RealField + Copy>(&self, values: &mut [T]) -> Option<T> {
-        let size = N * (N + self.rows());
-        let (panel, later) = values.get_mut(self.step.diagonal..)?.split_at_mut_checked(size)?;
-        let (diagonal, rows) = panel.as_chunks_mut::<N>().0.split_first_chunk_mut::<N>()?;
-        let (inverse, smallest) = factor_diagonal(diagonal)?;
-        // U = A L⁻ᵀ
-        for row in rows.iter_mut() {
-            forwards(diagonal, row);
-        }
+    pub(super) fn factor<const N: usize, T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<T> {
+        let base = self.step.diagonal + 1 + self.couplings.len();
+        let (panel, later) = blocks.split_at_mut_checked(base)?;
+        let (diagonal, others) = panel.get_mut(self.step.diagonal..)?.split_first_mut()?;
+        let (inverse, smallest) = match self.step.is_diagonal {
+            true => invert_diagonal::<N, T>(diagonal)?,
+            false => factor_diagonal::<N, T>(diagonal)?,
+        };
         let mut targets = self.targets.iter();
-        let mut rest: &[[T; N]] = rows;
-        for (p, left) in self.couplings.iter().enumerate() {
-            let (left_rows, others) = rest.split_at_checked(left.size)?;
-            rest = others;
-            let mut all: &[[T; N]] = rows;
-            for right in self.couplings.iter().take(p + 1) {
-                let (right_rows, others) = all.split_at_checked(right.size)?;
-                all = others;
-                let target = targets.next()?.checked_sub(self.step.diagonal + size)?;
-                let target = later.get_mut(target..)?;
-                match right.size {
-                    1 => subtract::<N, 1, T>(left_rows, right_rows, &inverse, target),
-                    2 => subtract::<N, 2, T>(left_rows, right_rows, &inverse, target),
-                    3 => subtract::<N, 3, T>(left_rows, right_rows, &inverse, target),
-                    4 => subtract::<N, 4, T>(left_rows, right_rows, &inverse, target),
-                    5 => subtract::<N, 5, T>(left_rows, right_rows, &inverse, target),
-                    6 => subtract::<N, 6, T>(left_rows, right_rows, &inverse, target),
-                    _ => None,
-                }?;
+        for (p, last) in self.couplings.iter().enumerate() {
+            let (done, rest) = others.split_at_mut_checked(p)?;
+            let own = rest.first_mut()?;
+            // U = L⁻¹ A, of which D⁻¹ U stays
+            let eliminated = match self.step.is_diagonal {
+                true => *own,
+                false => eliminated::<N, T>(diagonal, own),
+            };
+            six_times!(I: { if I < N { own[I] = scaled(inverse[I], &eliminated[I]); } });
+            for (block, coupling) in done.iter().zip(self.couplings) {
+                let target = later.get_mut(targets.next()?.checked_sub(base)?)?;
+                match coupling.size {
+                    1 => subtract::<N, 1, false, T>(target, block, &eliminated),
+                    2 => subtract::<N, 2, false, T>(target, block, &eliminated),
+                    3 => subtract::<N, 3, false, T>(target, block, &eliminated),
+                    4 => subtract::<N, 4, false, T>(target, block, &eliminated),
+                    5 => subtract::<N, 5, false, T>(target, block, &eliminated),
+                    _ => subtract::<N, 6, false, T>(target, block, &eliminated),
+                }
             }
-        }
-        for row in rows {
-            for (entry, inverse) in row.iter_mut().zip(&inverse) {
-                *entry *= *inverse;
+            let target = later.get_mut(targets.next()?.checked_sub(base)?)?;
+            match last.size {
+                1 => subtract::<N, 1, true, T>(target, own, &eliminated),
+                2 => subtract::<N, 2, true, T>(target, own, &eliminated),
+                3 => subtract::<N, 3, true, T>(target, own, &eliminated),
+                4 => subtract::<N, 4, true, T>(target, own, &eliminated),
+                5 => subtract::<N, 5, true, T>(target, own, &eliminated),
+                _ => subtract::<N, 6, true, T>(target, own, &eliminated),
             }
         }
         Some(smallest)
@@ -85,21 +89,23 @@ impl Node<'_> {
     /// L x = b, this node's part.
     pub(super) fn solve_forwards<const N: usize, T: RealField + Copy>(
         &self,
-        values: &[T],
-        unknowns: &mut [T],
+        blocks: &[Square<T>],
+        unknowns: &mut [[T; 6]],
     ) -> Option<()> {
-        let (diagonal, mut rows) =
-            values.get(self.step.diagonal..)?.as_chunks::<N>().0.split_first_chunk::<N>()?;
-        let place = unknowns.get_mut(self.step.unknowns..)?.first_chunk_mut::<N>()?;
-        forwards(diagonal, place);
-        let own = *place;
-        for coupling in self.couplings {
-            let (block, others) = rows.split_at_checked(coupling.size)?;
-            rows = others;
-            let later = unknowns.get_mut(coupling.unknowns..)?;
-            for (entry, row) in later.iter_mut().zip(block) {
-                *entry -= product(row, &own);
-            }
+        let (diagonal, others) = blocks.get(self.step.diagonal..)?.split_first()?;
+        let place = unknowns.get_mut(self.step.node)?;
+        let mut own = *place;
+        if !self.step.is_diagonal {
+            six_times!(J: { if J < N {
+                six_times!(I: { if I > J && I < N { own[I] = multiply_add(-diagonal[J][I], own[J], own[I]); } });
+            } });
+            *place = own;
+        }
+        for (coupling, block) in self.couplings.iter().zip(others) {
+            let later = unknowns.get_mut(coupling.node)?;
+            let mut sum = *later;
+            six_times!(I: { if I < N { subtract_scaled(&mut sum, own[I], &block[I]); } });
+            *later = sum;
         }
         Some(())
     }
@@ -107,127 +113,96 @@ impl Node<'_> {
     /// D Lᵀ x = b, this node's part.
     pub(super) fn solve_backwards<const N: usize, T: RealField + Copy>(
         &self,
-        values: &[T],
-        unknowns: &mut [T],
+        blocks: &[Square<T>],
+        unknowns: &mut [[T; 6]],
     ) -> Option<()> {
-        let (diagonal, mut rows) =
-            values.get(self.step.diagonal..)?.as_chunks::<N>().0.split_first_chunk::<N>()?;
-        let mut own = *unknowns.get(self.step.unknowns..)?.first_chunk::<N>()?;
-        for (k, (entry, row)) in own.iter_mut().zip(diagonal).enumerate() {
-            if let Some(inverse) = row.get(k) {
-                *entry *= *inverse;
-            }
+        let (diagonal, others) = blocks.get(self.step.diagonal..)?.split_first()?;
+        let mut own = *unknowns.get(self.step.node)?;
+        six_times!(I: { if I < N { own[I] *= diagonal[I][I]; } });
+        for (coupling, block) in self.couplings.iter().zip(others) {
+            let later = unknowns.get(coupling.node)?;
+            six_times!(I: { if I < N { own[I] -= dot(&block[I], later); } });
         }
-        for coupling in self.couplings {
-            let (block, others) = rows.split_at_checked(coupling.size)?;
-            rows = others;
-            let later = unknowns.get(coupling.unknowns..)?;
-            for (known, row) in later.iter().zip(block) {
-                for (entry, factor) in own.iter_mut().zip(row) {
-                    *entry -= *factor * *known;
+        if !self.step.is_diagonal {
+            six_times!(K: { {
+                const I: usize = 5 - K;
+                if I < N {
+                    six_times!(J: { if J < I { own[J] = multiply_add(-diagonal[J][I], own[I], own[J]); } });
                 }
-            }
+            } });
         }
-        for (i, row) in diagonal.iter().enumerate().rev() {
-            let known = own.get(i).copied().unwrap_or(T::zero());
-            for (entry, factor) in own.iter_mut().zip(row).take(i) {
-                *entry -= *factor * known;
-            }
-        }
-        *unknowns.get_mut(self.step.unknowns..)?.first_chunk_mut::<N>()? = own;
-        Some(())
-    }
-
-    /// Subtracts A x from `right`, this node's columns of a matrix that is not factored and the rows across from them.
-    pub(super) fn subtract_product<const N: usize, T: RealField + Copy>(
-        &self,
-        matrix: &[T],
-        unknowns: &[T],
-        right: &mut [T],
-    ) -> Option<()> {
-        let (diagonal, mut rows) =
-            matrix.get(self.step.diagonal..)?.as_chunks::<N>().0.split_first_chunk::<N>()?;
-        let own = unknowns.get(self.step.unknowns..)?.first_chunk::<N>()?;
-        let mut left = *right.get(self.step.unknowns..)?.first_chunk::<N>()?;
-        for (entry, row) in left.iter_mut().zip(diagonal) {
-            *entry -= product(row, own);
-        }
-        for coupling in self.couplings {
-            let (block, others) = rows.split_at_checked(coupling.size)?;
-            rows = others;
-            let known = unknowns.get(coupling.unknowns..)?;
-            let later = right.get_mut(coupling.unknowns..)?;
-            for ((row, other), entry) in block.iter().zip(known).zip(later) {
-                *entry -= product(row, own);
-                for (entry, factor) in left.iter_mut().zip(row) {
-                    *entry -= *factor * *other;
-                }
-            }
-        }
-        *right.get_mut(self.step.unknowns..)?.first_chunk_mut::<N>()? = left;
+        *unknowns.get_mut(self.step.node)? = own;
         Some(())
     }
 }
 
-/// L D Lᵀ in place: the unit triangle L below the diagonal, D⁻¹ on it. Gives D⁻¹ and the smallest relative pivot.
+/// L D Lᵀ in place: Lᵀ above the diagonal, D⁻¹ on it; gives D⁻¹ and the smallest relative pivot.
+///
+/// Reads and writes the upper triangle; below it stands nothing.
 #[inline(always)]
-fn factor_diagonal<const N: usize, T: RealField + Copy>(block: &mut [[T; N]; N]) -> Option<([T; N], T)> {
-    let mut inverse = [T::one(); N];
-    let mut smallest = T::one();
-    let original: [T; N] = core::array::from_fn(|k| block[k][k]);
-    for j in 0..N {
-        let pivot = block[j][j];
-        if pivot == T::zero() || !pivot.is_finite() {
-            return None;
+fn factor_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<([T; 6], T)> {
+    let mut rows = *block;
+    let [mut inverse, mut pivots, mut original] = [[T::one(); 6]; 3];
+    six_times!(J: { if J < N {
+        let row = rows[J];
+        original[J] = block[J][J];
+        pivots[J] = row[J];
+        inverse[J] = T::one() / row[J];
+        let mut upper = scaled(inverse[J], &row);
+        six_times!(I: { if I > J && I < N { subtract_scaled(&mut rows[I], upper[I], &row); } });
+        upper[J] = inverse[J];
+        block[J] = upper;
+    } });
+    let (mut smallest, mut sound) = (T::one(), T::zero());
+    six_times!(J: { if J < N {
+        // one, unless a pivot is zero or not finite
+        sound += pivots[J] * inverse[J];
+        let share = (pivots[J] / original[J]).abs();
+        if share < smallest {
+            smallest = share;
         }
-        smallest = smallest.min((pivot / original[j]).abs());
-        inverse[j] = T::one() / pivot;
-        let column: [T; N] = core::array::from_fn(|i| block[i][j]);
-        for i in j + 1..N {
-            let factor = column[i] * inverse[j];
-            for k in j + 1..=i {
-                block[i][k] -= factor * column[k];
-            }
-            block[i][j] = factor;
-        }
-        block[j][j] = inverse[j];
-    }
-    Some((inverse, smallest))
+    } });
+    if sound.is_finite() { Some((inverse, smallest)) } else { None }
 }
 
-/// L⁻¹ times a vector, in place.
+/// [`factor_diagonal`] of a diagonal matrix, the rest of which is not touched.
 #[inline(always)]
-fn forwards<const N: usize, T: RealField + Copy>(lower: &[[T; N]; N], vector: &mut [T; N]) {
-    for k in 0..N {
-        let known = vector[k];
-        for j in k + 1..N {
-            vector[j] -= lower[j][k] * known;
-        }
-    }
+fn invert_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<([T; 6], T)> {
+    let (mut inverse, mut sound) = ([T::one(); 6], T::zero());
+    six_times!(J: { if J < N {
+        inverse[J] = T::one() / block[J][J];
+        sound += inverse[J] * block[J][J];
+        block[J][J] = inverse[J];
+    } });
+    if sound.is_finite() { Some((inverse, T::one())) } else { None }
 }
 
-/// Subtracts U_left D⁻¹ U_rightᵀ from a block, row by row.
+/// L⁻¹ times a block.
 #[inline(always)]
-fn subtract<const N: usize, const R: usize, T: RealField + Copy>(
-    left: &[[T; N]],
-    right: &[[T; N]],
-    inverse: &[T; N],
-    block: &mut [T],
-) -> Option<()> {
-    let right = right.first_chunk::<R>()?;
-    let weighted: [[T; R]; N] =
-        core::array::from_fn(|k| core::array::from_fn(|column| right[column][k] * inverse[k]));
-    for (row, place) in left.iter().zip(block.as_chunks_mut::<R>().0) {
-        for (factor, weighted) in row.iter().zip(&weighted) {
-            for (entry, weighted) in place.iter_mut().zip(weighted) {
-                *entry -= *factor * *weighted;
-            }
-        }
-    }
-    Some(())
+fn eliminated<const N: usize, T: RealField + Copy>(diagonal: &Square<T>, block: &Square<T>) -> Square<T> {
+    let mut rows = *block;
+    six_times!(J: { if J < N {
+        let row = rows[J];
+        six_times!(I: { if I > J && I < N { subtract_scaled(&mut rows[I], diagonal[J][I], &row); } });
+    } });
+    rows
 }
 
+/// Subtracts the product of the first `R` columns of one block with another from a third; of a symmetric one the upper
+/// triangle is enough.
 #[inline(always)]
-fn product<const N: usize, T: RealField + Copy>(left: &[T; N], right: &[T; N]) -> T {
-    left.iter().zip(right).fold(T::zero(), |sum, (left, right)| sum + *left * *right)
+fn subtract<const N: usize, const R: usize, const SYMMETRIC: bool, T: RealField + Copy>(
+    target: &mut Square<T>,
+    left: &Square<T>,
+    right: &Square<T>,
+) {
+    six_times!(K: { if K < R {
+        let mut row = target[K];
+        six_times!(I: { if I < N {
+            let factor = -left[I][K];
+            // pairs stay together
+            six_times!(L: { if !SYMMETRIC || L >= K / 2 * 2 { row[L] = multiply_add(factor, right[I][L], row[L]); } });
+        } });
+        target[K] = row;
+    } });
 }

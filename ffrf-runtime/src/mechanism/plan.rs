@@ -5,9 +5,9 @@ use super::Elimination;
 /// The frame of one body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BodyPlace {
-    /// First of its six unknowns.
-    pub unknowns: usize,
-    /// Its diagonal block among the values.
+    /// Its node: where its six unknowns stand.
+    pub node: usize,
+    /// Its diagonal block.
     pub diagonal: usize,
 }
 
@@ -16,29 +16,19 @@ pub struct BodyPlace {
 pub struct EndPlace {
     /// The body.
     pub body: usize,
-    /// First row of this joint among those attached to the body.
+    /// Which of the ends of joints on the body this is.
     pub slot: usize,
-    /// The block of joint and body among the values.
+    /// The block of joint and body.
     pub block: Block,
 }
 
 /// A block off the diagonal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Block {
-    /// Where it begins among the values.
-    pub start: usize,
-    /// Number of its columns: the unknowns of the node that is eliminated first.
-    pub columns: usize,
-    /// Whether the joint (the first joint, of two) is the node of the columns.
+    /// Which block it is.
+    pub index: usize,
+    /// Whether the joint (the first joint, of two) is the node of the rows: the one that is eliminated first.
     pub transposed: bool,
-}
-
-impl Block {
-    /// Where the entry of row `row` of the joint and unknown `column` of the other node stands.
-    pub fn entry(&self, row: usize, column: usize) -> usize {
-        let (row, column) = if self.transposed { (column, row) } else { (row, column) };
-        self.start + self.columns * row + column
-    }
 }
 
 /// A joint.
@@ -46,9 +36,9 @@ impl Block {
 pub struct JointPlace {
     /// Number of rows.
     pub rows: usize,
-    /// First of its multipliers among the unknowns.
-    pub unknowns: usize,
-    /// Its diagonal block among the values.
+    /// Its node: where its multipliers stand.
+    pub node: usize,
+    /// Its diagonal block.
     pub diagonal: usize,
     /// Its first and second end; `None` on the ground.
     pub ends: [Option<EndPlace>; 2],
@@ -59,11 +49,11 @@ pub struct JointPlace {
 pub struct SharedPlace {
     /// The body.
     pub body: usize,
-    /// First attached row and number of rows of the first joint.
-    pub first: (usize, usize),
-    /// The same of the second joint.
-    pub second: (usize, usize),
-    /// The block of both joints among the values.
+    /// The slot of the first joint.
+    pub first: usize,
+    /// The slot of the second joint.
+    pub second: usize,
+    /// The block of both joints.
     pub block: Block,
 }
 

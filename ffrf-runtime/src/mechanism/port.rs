@@ -33,14 +33,26 @@ pub trait Port<T: RealField + Copy> {
     ///
     /// Errors: the modal mass is not positive definite.
     fn factor(&mut self) -> Result<(), StepError>;
-    /// Z, what the mass matrix leaves for rigid motion, row by row. Shape: 6 x 6.
-    fn rigid_mass(&self) -> [[T; 6]; 6];
+    /// Sets Z, what the mass matrix leaves for the motion of the frame, symmetric. Shape: 6 x 6.
+    ///
+    /// That motion is a [`RigidFrame`](super::RigidFrame)'s where there are no modes: Z is diagonal then.
+    fn rigid_mass(&self, to: &mut [[T; 6]; 6]);
     /// Whether it has modes, through which rows are coupled.
     fn has_modes(&self) -> bool;
-    /// Attaches constraint rows from `slot` on: their gradients at a marker. Gives the effect of each on the frame.
-    fn attach(&mut self, slot: usize, marker: usize, gradients: &[Wrench<T>], effects: &mut [[T; 6]]);
-    /// The compliance of the modes between two attached rows.
-    fn compliance(&self, slot: usize, other: usize) -> T;
+    /// Attaches so many rows of a joint as `slot`: the components of their gradients (force, moment; inertial) at a marker,
+    /// side by side. Sets their effects on the components of the frame's motion, and adds what each row meets at the diagonal
+    /// of Z about the frame origin to its compliance. Shape: 6 x rows, rows.
+    fn attach(
+        &mut self,
+        slot: usize,
+        marker: usize,
+        rows: usize,
+        gradients: &[[T; 6]; 6],
+        effects: &mut [[T; 6]; 6],
+        compliances: Option<&mut [T; 6]>,
+    );
+    /// Subtracts the compliance of the modes between the rows of two attached joints. Shape: rows x rows of the other.
+    fn subtract_compliance(&self, slot: usize, other: usize, from: &mut [[T; 6]; 6]);
     /// Takes the forces as the right-hand side; returns the force on the frame with the modes eliminated. Shape: 6.
     fn reduced_force(&mut self) -> [T; 6];
     /// Adds a wrench (inertial) at a marker after factors and right-hand side were made, for the next
@@ -48,14 +60,14 @@ pub trait Port<T: RealField + Copy> {
     fn push_net(&mut self, marker: usize, wrench: &Wrench<T>);
     /// Takes no force as the right-hand side: what follows is a correction of place or velocities.
     fn without_force(&mut self);
-    /// What the modes' own acceleration adds to attached row `slot`.
-    fn modal_acceleration(&self, slot: usize) -> T;
-    /// The velocities [v; ω] (inertial) of a marker in what a linearly implicit stage subtracts; zero otherwise.
-    fn subtracted_twist(&self, marker: usize) -> [Vector3<T>; 2];
+    /// Subtracts what the modes' own acceleration adds to the rows of attached joint `slot`.
+    fn subtract_modal_accelerations(&self, slot: usize, from: &mut [T; 6]);
+    /// The velocities [v; ω] (inertial) of a marker in what a linearly implicit stage subtracts, if it does.
+    fn subtracted_twist(&self, marker: usize) -> Option<[Vector3<T>; 2]>;
     /// Sets the resulting motion: that of the frame, and of the modes on their own.
     fn finish(&mut self, rigid: &[T; 6]);
-    /// Adds what the multiplier of attached row `slot` does to the modes.
-    fn follow(&mut self, slot: usize, multiplier: T);
+    /// Subtracts what the *negative* multipliers of attached joint `slot` do to the modes.
+    fn follow(&mut self, slot: usize, negative: &[T; 6]);
     /// The velocities [v; ω] (inertial) of a marker in the resulting motion: accelerations without bias.
     fn resulting_twist(&self, marker: usize) -> [Vector3<T>; 2];
 }

@@ -57,7 +57,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             .plan
             .joints
             .iter()
-            .flat_map(|place| self.storage.solution.iter().skip(place.unknowns).take(place.rows));
+            .filter_map(|place| Some(self.storage.solution.get(place.node)?.iter().take(place.rows)))
+            .flatten();
         multipliers.fold(T::zero(), |largest, multiplier| largest.max(multiplier.abs()))
     }
 

@@ -17,8 +17,8 @@ pub fn acceleration<T: RealField + Copy>(at: &Attachment<T>, ports: &dyn Ports<T
 pub fn reaction<T: RealField + Copy>(plan: &Plan<'_>, storage: &Storage<'_, T>, joint: usize) -> Wrench<T> {
     let mut sum = Wrench::zero();
     let (Some(place), Some(rows)) = (plan.joints.get(joint), storage.rows.get(joint)) else { return sum };
-    let multipliers = storage.solution.iter().skip(place.unknowns);
-    for (row, negative) in rows.as_slice().iter().zip(multipliers) {
+    let multipliers = storage.solution.get(place.node).into_iter().flatten();
+    for (row, negative) in rows.iter().zip(multipliers) {
         let multiplier = -*negative;
         sum.force += row.second.force * multiplier;
         sum.moment += row.second.moment * multiplier;

@@ -20,4 +20,4 @@ pub use parallel::parallel;
 pub use perpendicular::perpendicular;
 pub use row::{MOST_ROWS, Row, Rows};
 
-pub(crate) use row::axes;
+pub(crate) use row::{add_powers, axes};

@@ -104,9 +104,9 @@ fn rows_are_the_derivatives_of_their_residuals() {
                 // the residual alone makes the truth: the drive comes without its rates
                 let zero = Dual2_64::from(0.0);
                 let exact = dual_kind.rows(&first.path, &second.path, &[driven, zero, zero]);
-                assert_eq!(rows.as_slice().len(), kind.row_count(), "{kind:?}");
-                for (k, (row, exact)) in rows.as_slice().iter().zip(exact.as_slice()).enumerate() {
-                    let bound = DERIVED * size(row, [first, second]);
+                assert_eq!(rows.len(), kind.row_count(), "{kind:?}");
+                for (k, (row, exact)) in rows.iter().zip(exact.iter()).enumerate() {
+                    let bound = DERIVED * size(&row, [first, second]);
                     let exact = exact.residual;
                     let rate = row.velocity(&first.motion, &second.motion);
                     let accelerations = row.first.power(&first.acceleration[0], &first.acceleration[1])
@@ -143,7 +143,7 @@ fn forces_of_rows_balance_and_so_do_their_moments() {
         for (case, pair) in pairs().into_iter().enumerate() {
             let ends = [end(pair[0], 1 + case, 0.4), end(pair[1], 20 + case, 0.4)];
             let motions = [&ends[0].motion, &ends[1].motion];
-            for row in kind.rows(motions[0], motions[1], &[0.2, 0.3, 0.4]).as_slice() {
+            for row in kind.rows(motions[0], motions[1], &[0.2, 0.3, 0.4]).iter() {
                 let mut force = Vector3::zeros();
                 let mut moment = Vector3::zeros();
                 let mut size = 0.0;

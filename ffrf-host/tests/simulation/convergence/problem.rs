@@ -76,9 +76,7 @@ pub fn blocks(mechanism: &HostMechanism, state: &[State<HostModal>], time: f64) 
     }
     let reactions = Constrained(mechanism).evaluate(time, state.to_vec(), None, |_, storage, _| {
         let joints = mechanism.plan().joints.iter();
-        joints
-            .flat_map(|joint| storage.solution[joint.unknowns..joint.unknowns + joint.rows].to_vec())
-            .collect()
+        joints.flat_map(|joint| storage.solution[joint.node][..joint.rows].to_vec()).collect()
     });
     [places, velocities, reactions.unwrap()]
 }

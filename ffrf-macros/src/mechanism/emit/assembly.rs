@@ -20,7 +20,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         Scalar::Generic => quote! { <'a, T> },
         _ => quote! { <'a> },
     };
-    let (joints, values, unknowns) = (spec.connections, spec.plan.value_count, spec.plan.unknown_count);
+    let (joints, blocks, nodes) = (spec.connections, spec.plan.block_count, spec.plan.node_count);
     let made = spec.bodies.iter().map(|body| port(body, spec));
     let each = |owner: &str, action: TokenStream| {
         let owner: TokenStream = syn::Ident::new(owner, proc_macro2::Span::call_site()).into_token_stream();
@@ -40,15 +40,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         quote! { #(#loops)* }
     };
     let collect = pairs("rates", "ports", quote! { *own = other.rate(own); });
-    let correct = each(
-        "ports",
-        quote! {
-            match level {
-                ::ffrf::mechanism::Level::Position => port.state.displace(&port.motion),
-                ::ffrf::mechanism::Level::Velocity => port.state.push(&port.motion),
-            }
-        },
-    );
+    let correct = each("ports", quote! { port.correct(level); });
     let kept = spec.bodies.iter().map(|body| {
         let field = &body.name;
         match body.count {
@@ -164,13 +156,14 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 ) -> R {
                     let still = support::still::<#t>();
                     use_it(&mut ::ffrf::mechanism::Storage {
-                        values: &mut [#zero; #values],
-                        solution: &mut [#zero; #unknowns],
-                        right: &mut [#zero; #unknowns],
-                        shift: &mut [#zero; #unknowns],
+                        blocks: &mut [[[#zero; 6]; 6]; #blocks],
+                        solution: &mut [[#zero; 6]; #nodes],
+                        right: &mut [[#zero; 6]; #nodes],
+                        shift: &mut [[#zero; 6]; #nodes],
                         efforts: &mut [#zero; #frictions],
                         rows: &mut [::ffrf::relations::Rows::none(); #joints],
                         ends: &mut [[still; 2]; #joints],
+                        used: false,
                     })
                 }
 

@@ -7,30 +7,30 @@ use quote::quote;
 /// The constants of a plan, and the plan made of them as an expression.
 pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
     let block = |block: &BlockPlace| {
-        let BlockPlace { start, columns, transposed } = block;
-        quote! { places::Block { start: #start, columns: #columns, transposed: #transposed } }
+        let BlockPlace { index, transposed } = block;
+        quote! { places::Block { index: #index, transposed: #transposed } }
     };
     let steps = plan.steps.iter().map(|step| {
-        let (size, unknowns, diagonal) = (step.size, step.unknowns, step.diagonal);
-        let (couplings, targets) = (step.couplings, step.targets);
+        let (size, node, diagonal) = (step.size, step.node, step.diagonal);
+        let (is_diagonal, couplings, targets) = (step.is_diagonal, step.couplings, step.targets);
         quote! {
             places::Step {
-                size: #size, unknowns: #unknowns, diagonal: #diagonal,
+                size: #size, node: #node, diagonal: #diagonal, is_diagonal: #is_diagonal,
                 couplings: #couplings, targets: #targets,
             }
         }
     });
     let couplings = plan.couplings.iter().map(|coupling| {
-        let (size, unknowns) = (coupling.size, coupling.unknowns);
-        quote! { places::Coupling { size: #size, unknowns: #unknowns } }
+        let (size, node) = (coupling.size, coupling.node);
+        quote! { places::Coupling { size: #size, node: #node } }
     });
     let targets = &plan.targets;
     let bodies = plan.bodies.iter().map(|body| {
-        let (unknowns, diagonal) = (body.unknowns, body.diagonal);
-        quote! { places::BodyPlace { unknowns: #unknowns, diagonal: #diagonal } }
+        let (node, diagonal) = (body.node, body.diagonal);
+        quote! { places::BodyPlace { node: #node, diagonal: #diagonal } }
     });
     let joints = plan.joints.iter().map(|joint| {
-        let (rows, unknowns, diagonal) = (joint.rows, joint.unknowns, joint.diagonal);
+        let (rows, node, diagonal) = (joint.rows, joint.node, joint.diagonal);
         let ends = joint.ends.iter().map(|end| match end {
             None => quote! { ::core::option::Option::None },
             Some(end) => {
@@ -39,20 +39,17 @@ pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
             }
         });
         quote! {
-            places::JointPlace { rows: #rows, unknowns: #unknowns, diagonal: #diagonal, ends: [#(#ends),*] }
+            places::JointPlace { rows: #rows, node: #node, diagonal: #diagonal, ends: [#(#ends),*] }
         }
     });
     let shared = plan.shared.iter().map(|shared| {
         let (body, block) = (shared.body, block(&shared.block));
-        let ((first, rows), (second, other_rows)) = (shared.first, shared.second);
-        quote! {
-            places::SharedPlace {
-                body: #body, first: (#first, #rows), second: (#second, #other_rows), block: #block,
-            }
-        }
+        let (first, second) = (shared.first, shared.second);
+        quote! { places::SharedPlace { body: #body, first: #first, second: #second, block: #block } }
     });
     let (step_count, coupling_count, target_count) =
         (plan.steps.len(), plan.couplings.len(), plan.targets.len());
+    let leading = plan.leading;
     let (body_count, joint_count, shared_count) = (plan.bodies.len(), plan.joints.len(), plan.shared.len());
     let constants = quote! {
         // by its path: a mechanism may have any of these names
@@ -66,7 +63,9 @@ pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
     };
     let expression = quote! {
         places::Plan {
-            elimination: places::Elimination { steps: &STEPS, couplings: &COUPLINGS, targets: &TARGETS },
+            elimination: places::Elimination {
+                steps: &STEPS, leading: #leading, couplings: &COUPLINGS, targets: &TARGETS,
+            },
             bodies: &BODIES,
             joints: &JOINTS,
             shared: &SHARED,

@@ -27,10 +27,10 @@ pub(super) fn states(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
         let (field, doc) = (&body.name, format!("Body `{}`.", body.name));
         let (kind, modal) = (body.kind(&spec.scalar), modal(body, spec));
         let rows = (body.first..body.first + body.len())
-            .map(|index| spec.plan.attached_rows[index])
+            .map(|index| spec.plan.attached_ends[index])
             .max()
             .unwrap_or(0);
-        let rows = quote! { [::ffrf::mechanism::AttachedRow<#modal>; #rows] };
+        let rows = quote! { [::ffrf::mechanism::AttachedRows<#modal, #t>; #rows] };
         let kind = field_type(body, &quote! { ::ffrf::mechanism::BodyPort<'a, #kind, #rows, #t> });
         quote! { #[doc = #doc] pub #field: #kind, }
     });

@@ -1,0 +1,57 @@
+//! Constraint rows at a marker: what all rows of a joint do to a body, side by side.
+
+use nalgebra::RealField;
+
+use super::{ModalVector, PlacedMarker};
+use crate::six::{Square, add_scaled, scaled, subtract_scaled};
+
+impl<V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'_, V, T> {
+    /// [`generalised_force`](Self::generalised_force) of six wrenches at once.
+    ///
+    /// `wrenches`: components x, y, z of their forces and moments. Shape: 6 x 6. Frame: inertial. Gives the components of
+    /// force and moment on the frame and sets those on the modes. Shape: 6 x 6, M x 6. Frame: body.
+    pub(crate) fn generalised_forces(&self, wrenches: &Square<T>, modal: &mut [[T; 6]]) -> Square<T> {
+        let [x, y, z, r_x, r_y, r_z] = wrenches;
+        let force = self.rows_to_body([x, y, z]);
+        let moment = self.rows_to_body([r_x, r_y, r_z]);
+        if !modal.is_empty() {
+            let turned = self.rotation.transposed_times_rows(&moment);
+            let [x, y, z] = self.marker.translation.each_ref().map(V::as_slice);
+            let [r_x, r_y, r_z] = self.marker.rotation.each_ref().map(V::as_slice);
+            let (translations, rotations) = (x.iter().zip(y).zip(z), r_x.iter().zip(r_y).zip(r_z));
+            for ((place, ((x, y), z)), ((r_x, r_y), r_z)) in modal.iter_mut().zip(translations).zip(rotations)
+            {
+                let mut sum = scaled(*x, &force[0]);
+                add_scaled(&mut sum, *y, &force[1]);
+                add_scaled(&mut sum, *z, &force[2]);
+                add_scaled(&mut sum, *r_x, &turned[0]);
+                add_scaled(&mut sum, *r_y, &turned[1]);
+                add_scaled(&mut sum, *r_z, &turned[2]);
+                *place = sum;
+            }
+        }
+        let [mut about_x, mut about_y, mut about_z] = moment;
+        let (arm, [x, y, z]) = (&self.arm, &force);
+        add_scaled(&mut about_x, arm.y, z);
+        subtract_scaled(&mut about_x, arm.z, y);
+        add_scaled(&mut about_y, arm.z, x);
+        subtract_scaled(&mut about_y, arm.x, z);
+        add_scaled(&mut about_z, arm.x, y);
+        subtract_scaled(&mut about_z, arm.y, x);
+        let [x, y, z] = force;
+        [x, y, z, about_x, about_y, about_z]
+    }
+
+    /// Components of six inertial vectors in the body frame.
+    #[inline(always)]
+    fn rows_to_body(&self, [x, y, z]: [&[T; 6]; 3]) -> [[T; 6]; 3] {
+        let along = |[along_x, along_y, along_z]: &[T; 3]| {
+            let mut sum = scaled(*along_x, x);
+            add_scaled(&mut sum, *along_y, y);
+            add_scaled(&mut sum, *along_z, z);
+            sum
+        };
+        let [first, second, third] = &self.axes.data.0;
+        [along(first), along(second), along(third)]
+    }
+}
