@@ -1,5 +1,6 @@
 //! The command line.
 
+mod budget;
 mod code;
 mod interfaces;
 mod linearise;
@@ -11,6 +12,7 @@ use clap::{ArgGroup, Args, Parser, Subcommand};
 use ffrf_fe::import::{INFLATED_LIMIT, MassForm};
 use ffrf_model::Units;
 
+pub use budget::{Budget, Core, TargetIntegrator, TargetScalar};
 pub use code::{Generate, Inspect};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
@@ -53,7 +55,17 @@ pub enum Command {
     /// Eigenfrequencies and whirl of a mechanism against the speed at which it turns.
     #[command(after_help = CAMPBELL_EXAMPLE)]
     Campbell(Campbell),
+    /// What a body or a mechanism takes of a microcontroller: flash, RAM, stack, instructions of a step.
+    #[command(after_help = BUDGET_EXAMPLE)]
+    Budget(Budget),
 }
+
+const BUDGET_EXAMPLE: &str = "\
+Examples:
+  ffrf budget models/conrod.ffrf.json --modes 4 --target cortex-m4f --scalar f32
+  ffrf budget models/scenes/slider_crank.toml --integrator linearly_implicit
+
+Builds and runs programs: needs cargo with the target thumbv7em-none-eabihf, and qemu-system-arm.";
 
 const LINEARISE_EXAMPLE: &str = "\
 Examples:

@@ -8,6 +8,7 @@
 
 mod animation;
 mod arguments;
+mod budget;
 mod campbell;
 mod component_modes;
 mod describe;
@@ -56,6 +57,7 @@ pub fn run() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Linearise(arguments) => linearise::run(&arguments),
         Command::Campbell(arguments) => campbell::run(&arguments),
+        Command::Budget(arguments) => budget::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -47,15 +47,15 @@ mod six;
 
 pub use body::{
     DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
-    GeneralisedForce, Increment, Load, Marker, MarkerMotion, ModalFactors, ModalMatrix, ModalVector, Motion,
-    NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared, RigidBody, State,
-    Wrench,
+    GeneralisedForce, Increment, Load, Marker, MarkerMotion, MarkerStep, ModalFactors, ModalMatrix,
+    ModalVector, Motion, NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared,
+    RigidBody, State, Wrench,
 };
 pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{
     AlphaMemory, ConservingSystem, ControlledStep, Correction, DenseOutput, Drift, EnergyMomentum,
-    ExponentialSystem, Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, StepError, StepReport,
-    StiffSystem, System, Tolerances, VectorSpace, step_dormand_prince, step_exponential,
+    Exponential, ExponentialSystem, Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, StepError,
+    StepReport, StiffSystem, System, Tolerances, VectorSpace, step_dormand_prince, step_exponential,
     step_linearly_implicit, step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
     try_dormand_prince, try_dormand_prince_dense,
 };

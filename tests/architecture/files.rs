@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::workspace::{root, source_files};
+use crate::workspace::{metadata, root, source_files};
 
 #[test]
 fn files_are_small_and_say_what_they_are() {
@@ -19,4 +19,22 @@ fn files_are_small_and_say_what_they_are() {
         }
     }
     assert!(offences.is_empty(), "{}", offences.join("\n"));
+}
+
+/// Each program of tests is compiled, linked and run by itself: a new test is a module of one that is there.
+#[test]
+fn integration_tests_are_few_programs() {
+    let mut offences = Vec::new();
+    let mut seen = 0;
+    for package in metadata().workspace_packages() {
+        let programs: Vec<&str> =
+            package.targets.iter().filter(|target| target.is_test()).map(|target| &*target.name).collect();
+        seen += programs.len();
+        let most = if package.name.as_str() == "ffrf" { 8 } else { 4 };
+        if programs.len() > most {
+            offences.push(format!("{}: at most {most}, found {}", package.name, programs.join(", ")));
+        }
+    }
+    assert!(seen > 10, "the walk found only {seen} programs");
+    assert!(offences.is_empty(), "programs of tests:\n{}", offences.join("\n"));
 }

@@ -14,7 +14,7 @@ pub struct Pendulum {
     connections: [::ffrf::mechanism::Connection<f64>; 1usize],
     markers_of_beam: [::ffrf::Marker<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>; 2usize],
 }
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl Pendulum {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 1usize] = ["pin"];
@@ -132,7 +132,7 @@ impl ::ffrf::VectorSpace<f64> for PendulumIncrement {
         }
     }
 }
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl Pendulum {
     #[doc = "Position. Shape: 3. Units: m. Frame: inertial."]
     pub fn tip(&self, state: &PendulumState) -> ::ffrf::nalgebra::Vector3<f64> {
@@ -175,11 +175,9 @@ impl Pendulum {
     unused_mut
 )]
 const _: () = {
-    use ::ffrf::mechanism::{
-        Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
-    };
-    static STEPS: [Step; 2usize] = [
-        Step {
+    use ::ffrf::mechanism as places;
+    static STEPS: [places::Step; 2usize] = [
+        places::Step {
             size: 6usize,
             node: 0usize,
             diagonal: 0usize,
@@ -187,7 +185,7 @@ const _: () = {
             couplings: 0usize,
             targets: 0usize,
         },
-        Step {
+        places::Step {
             size: 5usize,
             node: 1usize,
             diagonal: 2usize,
@@ -196,23 +194,23 @@ const _: () = {
             targets: 1usize,
         },
     ];
-    static COUPLINGS: [Coupling; 1usize] = [Coupling { size: 5usize, node: 1usize }];
+    static COUPLINGS: [places::Coupling; 1usize] = [places::Coupling { size: 5usize, node: 1usize }];
     static TARGETS: [usize; 1usize] = [2usize];
-    static BODIES: [BodyPlace; 1usize] = [BodyPlace { node: 0usize, diagonal: 0usize }];
-    static JOINTS: [JointPlace; 1usize] = [JointPlace {
+    static BODIES: [places::BodyPlace; 1usize] = [places::BodyPlace { node: 0usize, diagonal: 0usize }];
+    static JOINTS: [places::JointPlace; 1usize] = [places::JointPlace {
         rows: 5usize,
         node: 1usize,
         diagonal: 2usize,
         ends: [
             ::core::option::Option::None,
-            ::core::option::Option::Some(EndPlace {
+            ::core::option::Option::Some(places::EndPlace {
                 body: 0usize,
                 slot: 0usize,
-                block: Block { index: 1usize, transposed: false },
+                block: places::Block { index: 1usize, transposed: false },
             }),
         ],
     }];
-    static SHARED: [SharedPlace; 0usize] = [];
+    static SHARED: [places::SharedPlace; 0usize] = [];
     use ::ffrf::generated_support::mechanism as support;
     impl ::ffrf::mechanism::Ports<f64> for PendulumPorts<'_> {
         fn port(&self, index: usize) -> ::core::option::Option<&dyn ::ffrf::mechanism::Port<f64>> {
@@ -234,6 +232,7 @@ const _: () = {
     impl ::ffrf::mechanism::Assembly<f64> for Pendulum {
         type State = PendulumState;
         type Increment = PendulumIncrement;
+        type Modes = ();
         type Ports<'a>
             = PendulumPorts<'a>
         where
@@ -280,14 +279,15 @@ const _: () = {
                 solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 1usize],
                 ends: &mut [[still; 2]; 1usize],
                 used: false,
             })
         }
-        fn plan(&self) -> Plan<'_> {
-            Plan {
-                elimination: Elimination {
+        fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
+            places::Plan {
+                elimination: places::Elimination {
                     steps: &STEPS,
                     leading: 1usize,
                     couplings: &COUPLINGS,
@@ -308,8 +308,9 @@ const _: () = {
             }
         }
         fn drive(&self, joint: usize, time: f64) -> [f64; 3] {
+            let none = [::ffrf::generated_support::constant::<f64>(0.0); 3];
             match joint {
-                _ => [::ffrf::generated_support::constant::<f64>(0.0); 3],
+                _ => none,
             }
         }
         fn load(&self, time: f64, ports: &mut Self::Ports<'_>) {

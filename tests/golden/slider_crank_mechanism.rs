@@ -15,7 +15,7 @@ pub struct SliderCrank<T: ::ffrf::generated_support::Number = f64> {
     pub gravity: ::ffrf::nalgebra::Vector3<T>,
     #[doc = "Drive of joint `main`."]
     pub motor: ::ffrf::mechanism::Drive<T>,
-    #[doc = "Force element `brake`."]
+    #[doc = "Force `brake`."]
     pub brake: ::ffrf::mechanism::Element<::ffrf::forces::TorsionSpring<T>, T>,
     #[doc = r" How joints are kept while time advances."]
     pub treatment: ::ffrf::mechanism::Treatment<T>,
@@ -31,7 +31,7 @@ const _: () = ::core::assert!(
     ::core::mem::size_of::<<Piston as ::ffrf::FlexibleBody<f64>>::Modal>() == 0,
     "body `piston` is said to be rigid, but its type has modes"
 );
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 8usize] =
@@ -56,7 +56,7 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
                 ])),
             ),
         });
-        support::connect::<T>(&mut connections, 1usize, 1, |_| ::ffrf::mechanism::Connection {
+        support::connect::<T>(&mut connections, 1usize, 1usize, |_| ::ffrf::mechanism::Connection {
             kind: ::ffrf::joints::JointKind::Angle(::ffrf::joints::Angle),
             first: ::ffrf::mechanism::Attachment::<T>::on_ground(
                 ::ffrf::nalgebra::Vector3::<T>::zeros(),
@@ -387,13 +387,15 @@ impl<T: ::ffrf::generated_support::Number> ::ffrf::VectorSpace<T> for SliderCran
         }
     }
 }
-#[allow(dead_code, clippy::all, clippy::pedantic)]
+#[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" Angle of the joint about its axis, within half a turn. Units: rad."]
     pub fn turn(&self, state: &SliderCrankState<T>) -> T {
         let ports = ::ffrf::mechanism::Assembly::<T>::ports(self, *state, ::core::option::Option::None);
-        let connection = &self.connections[0usize];
-        ::ffrf::forces::relative_angle(&connection.first.motion(&ports), &connection.second.motion(&ports))
+        ::ffrf::forces::relative_angle(
+            &self.connections[0usize].first.motion(&ports),
+            &self.connections[0usize].second.motion(&ports),
+        )
     }
     #[doc = "Moment of the joint on its second body, about the marker there, at `time` (s). Shape: 3. Units: N m. Frame: inertial."]
     #[doc = r""]
@@ -451,11 +453,9 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     unused_mut
 )]
 const _: () = {
-    use ::ffrf::mechanism::{
-        Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
-    };
-    static STEPS: [Step; 14usize] = [
-        Step {
+    use ::ffrf::mechanism as places;
+    static STEPS: [places::Step; 14usize] = [
+        places::Step {
             size: 6usize,
             node: 5usize,
             diagonal: 0usize,
@@ -463,7 +463,7 @@ const _: () = {
             couplings: 0usize,
             targets: 0usize,
         },
-        Step {
+        places::Step {
             size: 4usize,
             node: 13usize,
             diagonal: 2usize,
@@ -471,7 +471,7 @@ const _: () = {
             couplings: 1usize,
             targets: 1usize,
         },
-        Step {
+        places::Step {
             size: 6usize,
             node: 4usize,
             diagonal: 5usize,
@@ -479,7 +479,7 @@ const _: () = {
             couplings: 3usize,
             targets: 4usize,
         },
-        Step {
+        places::Step {
             size: 4usize,
             node: 12usize,
             diagonal: 7usize,
@@ -487,7 +487,7 @@ const _: () = {
             couplings: 4usize,
             targets: 5usize,
         },
-        Step {
+        places::Step {
             size: 6usize,
             node: 3usize,
             diagonal: 10usize,
@@ -495,7 +495,7 @@ const _: () = {
             couplings: 6usize,
             targets: 8usize,
         },
-        Step {
+        places::Step {
             size: 5usize,
             node: 11usize,
             diagonal: 12usize,
@@ -503,7 +503,7 @@ const _: () = {
             couplings: 7usize,
             targets: 9usize,
         },
-        Step {
+        places::Step {
             size: 6usize,
             node: 1usize,
             diagonal: 13usize,
@@ -511,7 +511,7 @@ const _: () = {
             couplings: 7usize,
             targets: 9usize,
         },
-        Step {
+        places::Step {
             size: 3usize,
             node: 9usize,
             diagonal: 16usize,
@@ -519,7 +519,7 @@ const _: () = {
             couplings: 9usize,
             targets: 12usize,
         },
-        Step {
+        places::Step {
             size: 6usize,
             node: 2usize,
             diagonal: 19usize,
@@ -527,7 +527,7 @@ const _: () = {
             couplings: 11usize,
             targets: 15usize,
         },
-        Step {
+        places::Step {
             size: 5usize,
             node: 10usize,
             diagonal: 22usize,
@@ -535,7 +535,7 @@ const _: () = {
             couplings: 13usize,
             targets: 18usize,
         },
-        Step {
+        places::Step {
             size: 6usize,
             node: 0usize,
             diagonal: 24usize,
@@ -543,7 +543,7 @@ const _: () = {
             couplings: 14usize,
             targets: 19usize,
         },
-        Step {
+        places::Step {
             size: 1usize,
             node: 7usize,
             diagonal: 28usize,
@@ -551,7 +551,7 @@ const _: () = {
             couplings: 17usize,
             targets: 25usize,
         },
-        Step {
+        places::Step {
             size: 5usize,
             node: 6usize,
             diagonal: 31usize,
@@ -559,7 +559,7 @@ const _: () = {
             couplings: 19usize,
             targets: 28usize,
         },
-        Step {
+        places::Step {
             size: 5usize,
             node: 8usize,
             diagonal: 33usize,
@@ -568,181 +568,181 @@ const _: () = {
             targets: 29usize,
         },
     ];
-    static COUPLINGS: [Coupling; 20usize] = [
-        Coupling { size: 4usize, node: 13usize },
-        Coupling { size: 6usize, node: 4usize },
-        Coupling { size: 4usize, node: 12usize },
-        Coupling { size: 4usize, node: 12usize },
-        Coupling { size: 6usize, node: 3usize },
-        Coupling { size: 5usize, node: 11usize },
-        Coupling { size: 5usize, node: 11usize },
-        Coupling { size: 3usize, node: 9usize },
-        Coupling { size: 5usize, node: 8usize },
-        Coupling { size: 6usize, node: 2usize },
-        Coupling { size: 5usize, node: 8usize },
-        Coupling { size: 5usize, node: 10usize },
-        Coupling { size: 5usize, node: 8usize },
-        Coupling { size: 5usize, node: 8usize },
-        Coupling { size: 1usize, node: 7usize },
-        Coupling { size: 5usize, node: 6usize },
-        Coupling { size: 5usize, node: 8usize },
-        Coupling { size: 5usize, node: 6usize },
-        Coupling { size: 5usize, node: 8usize },
-        Coupling { size: 5usize, node: 8usize },
+    static COUPLINGS: [places::Coupling; 20usize] = [
+        places::Coupling { size: 4usize, node: 13usize },
+        places::Coupling { size: 6usize, node: 4usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 6usize, node: 3usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 3usize, node: 9usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 6usize, node: 2usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 10usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 7usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 8usize },
     ];
     static TARGETS: [usize; 29usize] = [
         2usize, 5usize, 6usize, 7usize, 7usize, 10usize, 11usize, 12usize, 12usize, 16usize, 18usize,
         33usize, 19usize, 21usize, 33usize, 22usize, 23usize, 33usize, 33usize, 28usize, 29usize, 31usize,
         30usize, 32usize, 33usize, 31usize, 32usize, 33usize, 33usize,
     ];
-    static BODIES: [BodyPlace; 6usize] = [
-        BodyPlace { node: 0usize, diagonal: 24usize },
-        BodyPlace { node: 1usize, diagonal: 13usize },
-        BodyPlace { node: 2usize, diagonal: 19usize },
-        BodyPlace { node: 3usize, diagonal: 10usize },
-        BodyPlace { node: 4usize, diagonal: 5usize },
-        BodyPlace { node: 5usize, diagonal: 0usize },
+    static BODIES: [places::BodyPlace; 6usize] = [
+        places::BodyPlace { node: 0usize, diagonal: 24usize },
+        places::BodyPlace { node: 1usize, diagonal: 13usize },
+        places::BodyPlace { node: 2usize, diagonal: 19usize },
+        places::BodyPlace { node: 3usize, diagonal: 10usize },
+        places::BodyPlace { node: 4usize, diagonal: 5usize },
+        places::BodyPlace { node: 5usize, diagonal: 0usize },
     ];
-    static JOINTS: [JointPlace; 8usize] = [
-        JointPlace {
+    static JOINTS: [places::JointPlace; 8usize] = [
+        places::JointPlace {
             rows: 5usize,
             node: 6usize,
             diagonal: 31usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 0usize,
-                    block: Block { index: 26usize, transposed: false },
+                    block: places::Block { index: 26usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 1usize,
             node: 7usize,
             diagonal: 28usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 1usize,
-                    block: Block { index: 25usize, transposed: false },
+                    block: places::Block { index: 25usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
             node: 8usize,
             diagonal: 33usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
                     slot: 2usize,
-                    block: Block { index: 27usize, transposed: false },
+                    block: places::Block { index: 27usize, transposed: false },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
                     slot: 0usize,
-                    block: Block { index: 15usize, transposed: false },
+                    block: places::Block { index: 15usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 3usize,
             node: 9usize,
             diagonal: 16usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
                     slot: 1usize,
-                    block: Block { index: 14usize, transposed: false },
+                    block: places::Block { index: 14usize, transposed: false },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
                     slot: 0usize,
-                    block: Block { index: 17usize, transposed: true },
+                    block: places::Block { index: 17usize, transposed: true },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
             node: 10usize,
             diagonal: 22usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 2usize,
                     slot: 1usize,
-                    block: Block { index: 20usize, transposed: false },
+                    block: places::Block { index: 20usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 5usize,
             node: 11usize,
             diagonal: 12usize,
             ends: [
                 ::core::option::Option::None,
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
                     slot: 0usize,
-                    block: Block { index: 11usize, transposed: false },
+                    block: places::Block { index: 11usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 4usize,
             node: 12usize,
             diagonal: 7usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
                     slot: 1usize,
-                    block: Block { index: 8usize, transposed: true },
+                    block: places::Block { index: 8usize, transposed: true },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
                     slot: 0usize,
-                    block: Block { index: 6usize, transposed: false },
+                    block: places::Block { index: 6usize, transposed: false },
                 }),
             ],
         },
-        JointPlace {
+        places::JointPlace {
             rows: 4usize,
             node: 13usize,
             diagonal: 2usize,
             ends: [
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
                     slot: 1usize,
-                    block: Block { index: 3usize, transposed: true },
+                    block: places::Block { index: 3usize, transposed: true },
                 }),
-                ::core::option::Option::Some(EndPlace {
+                ::core::option::Option::Some(places::EndPlace {
                     body: 5usize,
                     slot: 0usize,
-                    block: Block { index: 1usize, transposed: false },
+                    block: places::Block { index: 1usize, transposed: false },
                 }),
             ],
         },
     ];
-    static SHARED: [SharedPlace; 3usize] = [
-        SharedPlace {
+    static SHARED: [places::SharedPlace; 3usize] = [
+        places::SharedPlace {
             body: 1usize,
             first: 1usize,
             second: 0usize,
-            block: Block { index: 18usize, transposed: true },
+            block: places::Block { index: 18usize, transposed: true },
         },
-        SharedPlace {
+        places::SharedPlace {
             body: 3usize,
             first: 1usize,
             second: 0usize,
-            block: Block { index: 9usize, transposed: true },
+            block: places::Block { index: 9usize, transposed: true },
         },
-        SharedPlace {
+        places::SharedPlace {
             body: 4usize,
             first: 1usize,
             second: 0usize,
-            block: Block { index: 4usize, transposed: true },
+            block: places::Block { index: 4usize, transposed: true },
         },
     ];
     use ::ffrf::generated_support::mechanism as support;
@@ -779,6 +779,7 @@ const _: () = {
     impl<T: ::ffrf::generated_support::Number> ::ffrf::mechanism::Assembly<T> for SliderCrank<T> {
         type State = SliderCrankState<T>;
         type Increment = SliderCrankIncrement<T>;
+        type Modes = ();
         type Ports<'a>
             = SliderCrankPorts<'a, T>
         where
@@ -893,14 +894,15 @@ const _: () = {
                 solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                 right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                 shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 8usize],
                 ends: &mut [[still; 2]; 8usize],
                 used: false,
             })
         }
-        fn plan(&self) -> Plan<'_> {
-            Plan {
-                elimination: Elimination {
+        fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
+            places::Plan {
+                elimination: places::Elimination {
                     steps: &STEPS,
                     leading: 1usize,
                     couplings: &COUPLINGS,
@@ -921,9 +923,10 @@ const _: () = {
             }
         }
         fn drive(&self, joint: usize, time: T) -> [T; 3] {
+            let none = [::ffrf::generated_support::constant::<T>(0.0); 3];
             match joint {
                 1usize => self.motor.at(time),
-                _ => [::ffrf::generated_support::constant::<T>(0.0); 3],
+                _ => none,
             }
         }
         fn load(&self, time: T, ports: &mut Self::Ports<'_>) {

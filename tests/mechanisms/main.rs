@@ -1,8 +1,10 @@
 //! Mechanisms that `mechanism!` composes, at work.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
+mod arrays;
 mod bodies;
 mod chain;
+mod friction;
 mod kinds;
 mod misassembled;
 mod pendulum;
@@ -11,4 +13,6 @@ mod scalars;
 mod scene;
 mod slider_crank;
 mod stack;
+mod treatments;
 mod trees;
+mod user_forces;

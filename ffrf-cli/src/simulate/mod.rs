@@ -104,8 +104,9 @@ fn read_state(path: &Path) -> Result<SavedState> {
 fn describe(summary: &Summary, elapsed: Duration, duration: f64) -> String {
     let advance = &summary.advance;
     let mut text = format!(
-        "steps: {}, refused tries: {}, {:.3} s for {duration} s\n",
+        "steps: {} and {} shorter ones for samples, refused tries: {}, {:.3} s for {duration} s\n",
         advance.steps,
+        advance.side_steps,
         advance.refused,
         elapsed.as_secs_f64()
     );
@@ -122,6 +123,10 @@ fn describe(summary: &Summary, elapsed: Duration, duration: f64) -> String {
         "largest drift of a step before it was corrected: {:.3e} (m or rad), {:.3e} per second",
         advance.drift.position, advance.drift.velocity
     );
+    for event in &summary.events {
+        let way = if event.rising { "rising" } else { "falling" };
+        let _ = writeln!(text, "event {}: t = {:.9e} s, {way}", event.name, event.time);
+    }
     for warning in &summary.spin {
         let _ = writeln!(text, "warning: {warning}");
     }
@@ -141,6 +146,9 @@ fn describe_check(scene: &Scene, found: &SceneCheck) -> String {
         found.redundant.len(),
         found.degrees_of_freedom
     );
+    for body in &found.flying {
+        let _ = writeln!(text, "  body {body} has no joint: it flies");
+    }
     for row in &found.redundant {
         let _ = writeln!(text, "  redundant: {row}");
     }

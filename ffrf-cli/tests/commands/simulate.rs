@@ -107,9 +107,17 @@ fn what_is_wrong_in_a_scene_is_named() {
     let folder = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(scene("double_pendulum.toml")).unwrap();
     for (from, to, expected) in [
-        ("kind = \"revolute\"", "kind = \"hinge\"", "no kind of joint is called `hinge`"),
+        (
+            "kind = \"revolute\"",
+            "kind = \"hinge\"",
+            ": joints.shoulder.kind: no kind of joint is called `hinge`",
+        ),
         ("first = \"upper.END\"", "first = \"upper.TOP\"", "no marker is called `upper.TOP`"),
-        ("second = \"lower\"", "second = \"upper\"", "both ends are body"),
+        (
+            "second = \"lower\"",
+            "second = \"upper\"",
+            "joints.elbow: expected two different ends, found `upper` at both",
+        ),
         ("mass = 1.0", "mass = -1.0", "expected a positive mass, found -1"),
         ("duration = 5.0", "duration = nan", "simulation.duration: expected a positive number"),
         ("tolerance = 1e-9", "tolerance = 1e-9\nstep = 1e-3", "either `step` or `tolerance`"),

@@ -1,6 +1,8 @@
 //! How the part is held while its normal modes are computed.
 
-use faer::Mat;
+use faer::{Mat, MatRef};
+
+use crate::modes::Operator;
 
 use super::constrained::Constrained;
 use super::coordinates::Coordinates;
@@ -17,9 +19,13 @@ pub(crate) enum Condition<'a> {
 
 impl Condition<'_> {
     pub fn coordinates(&self) -> &Coordinates<'_> {
+        self.flexibility().coordinates
+    }
+
+    fn flexibility(&self) -> &Flexibility<'_> {
         match self {
-            Self::Free(flexibility) => flexibility.coordinates,
-            Self::Clamped(constrained) => constrained.flexibility.coordinates,
+            Self::Free(flexibility) => flexibility,
+            Self::Clamped(constrained) => constrained.flexibility,
         }
     }
 
@@ -46,5 +52,38 @@ impl Condition<'_> {
             Self::Clamped(constrained) => constrained.motion.count(),
         };
         self.coordinates().dimension().saturating_sub(conditions)
+    }
+}
+
+/// The flexibility under the condition: it keeps every vector admissible.
+impl Operator for Condition<'_> {
+    fn size(&self) -> usize {
+        self.coordinates().dimension()
+    }
+
+    fn pairs(&self) -> usize {
+        self.dimension()
+    }
+
+    fn shift(&self) -> f64 {
+        0.0
+    }
+
+    fn threads(&self) -> usize {
+        self.flexibility().threads
+    }
+
+    fn mass_times(&self, block: MatRef<'_, f64>) -> Mat<f64> {
+        self.coordinates().mass_times(block)
+    }
+
+    fn apply(&self, mass_block: MatRef<'_, f64>) -> Mat<f64> {
+        self.flexibility_times(mass_block.to_owned())
+    }
+
+    fn remove_rigid(&self, block: &mut Mat<f64>) {
+        if let Self::Free(flexibility) = self {
+            flexibility.rigid.remove_from(block);
+        }
     }
 }

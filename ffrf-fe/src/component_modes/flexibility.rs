@@ -41,7 +41,7 @@ pub(crate) struct Flexibility<'a> {
     pub rigid: &'a RigidMotion,
     supported: &'a Supported,
     factor: Factor<'a>,
-    threads: usize,
+    pub threads: usize,
 }
 
 impl<'a> Flexibility<'a> {

@@ -29,7 +29,6 @@ mod importance;
 mod interface;
 mod interface_motion;
 mod jacobi;
-mod lanczos;
 mod mac;
 mod mode_selection;
 mod normal_modes;

@@ -162,16 +162,6 @@ pub enum ComponentModeError {
         /// Modes there are.
         available: usize,
     },
-    /// The eigenvalue iteration did not end.
-    #[error("{converged} of {wanted} normal modes converged within a subspace of {subspace} vectors")]
-    NotConverged {
-        /// Modes asked for.
-        wanted: usize,
-        /// Modes found.
-        converged: usize,
-        /// Vectors used.
-        subspace: usize,
-    },
     /// A basis without a shape that deforms.
     #[error("the basis has no shape left that deforms the part: {given} shapes were given")]
     EmptyBasis {

@@ -39,14 +39,14 @@ pub(crate) struct Known {
 /// `known` pairs are returned along with those found beside them. `progress` is told how many pairs have converged.
 /// Errors: [`ModeError::NotConverged`], [`ModeError::EigenvaluesNotFound`], [`ModeError::SubspaceTooLarge`].
 pub(crate) fn lowest(
-    operator: &Operator<'_>,
+    operator: &dyn Operator,
     wanted: usize,
     known: Option<Known>,
     progress: &mut dyn FnMut(usize),
 ) -> Result<Pairs, ModeError> {
-    let size = operator.problem.dimension();
+    let size = operator.size();
     let known = known.unwrap_or_else(|| Known { shapes: Mat::zeros(size, 0), values: Vec::new() });
-    let known_values = known.values.iter().map(|value| (value - operator.shift).recip()).collect();
+    let known_values = known.values.iter().map(|value| (value - operator.shift()).recip()).collect();
     let capacity = subspace_size(wanted.max(known.values.len()));
     let mut space = Subspace::new(operator, known.shapes.as_ref(), known_values, capacity)?;
     drop(known);
@@ -79,12 +79,12 @@ pub(crate) fn lowest(
 }
 
 /// True if every pair below the first clear gap behind the wanted ones has converged.
-fn is_complete(operator: &Operator<'_>, space: &Subspace<'_>, ritz: &Ritz, wanted: usize) -> bool {
+fn is_complete(operator: &dyn Operator, space: &Subspace<'_>, ritz: &Ritz, wanted: usize) -> bool {
     let active = &ritz.values[..ritz.converged(LOOSE)];
     let mut values: Vec<f64> =
         space.locked().iter().chain(active).map(|&theta| operator.eigenvalue(theta)).collect();
     values.sort_by(f64::total_cmp);
-    let Some(limit) = counting_shift(&values, wanted, false, operator.shift.abs()) else { return false };
+    let Some(limit) = counting_shift(&values, wanted, false, operator.shift().abs()) else { return false };
     match ritz.values.get(ritz.converged(TOLERANCE)) {
         Some(&open) => open <= 0.0 || operator.eigenvalue(open) > limit.shift,
         None => false,

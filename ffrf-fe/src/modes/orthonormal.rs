@@ -34,12 +34,12 @@ pub(crate) struct Orthonormal {
 
 /// Orthonormalises W against V and within itself.
 pub(crate) fn orthonormalise_block(
-    operator: &Operator<'_>,
+    operator: &dyn Operator,
     random: &mut Random,
     basis: MatRef<'_, f64>,
     block: Mat<f64>,
 ) -> Orthonormal {
-    let (problem, threads) = (operator.problem, operator.problem.threads);
+    let threads = operator.threads();
     let width = block.ncols();
     let mut result = Orthonormal {
         block,
@@ -48,11 +48,11 @@ pub(crate) fn orthonormalise_block(
         residual_factor: Mat::identity(width, width),
     };
     for pass in 0..PASSES {
-        let mass_block = problem.mass_times(result.block.as_ref());
+        let mass_block = operator.mass_times(result.block.as_ref());
         let removed = tall_gram(basis, mass_block.as_ref(), threads);
         subtract_tall_product(result.block.as_mut(), basis, removed.as_ref(), threads);
         result.coefficients += product(removed.as_ref(), result.residual_factor.as_ref(), Par::Seq);
-        result.mass_block = problem.mass_times(result.block.as_ref());
+        result.mass_block = operator.mass_times(result.block.as_ref());
         let lengths: Vec<f64> = (0..removed.ncols()).map(|j| removed.col(j).squared_norm_l2()).collect();
         let within = orthonormalise_within(operator, random, basis, &mut result, &lengths);
         result.residual_factor = product(within.factor.as_ref(), result.residual_factor.as_ref(), Par::Seq);
@@ -72,7 +72,7 @@ struct Within {
 /// Modified Gram-Schmidt within the block, along with its products with the mass. `removed` is the square of what
 /// was taken from each column before.
 fn orthonormalise_within(
-    operator: &Operator<'_>,
+    operator: &dyn Operator,
     random: &mut Random,
     basis: MatRef<'_, f64>,
     result: &mut Orthonormal,
@@ -126,31 +126,30 @@ fn orthonormalise_within(
 /// A vector of unit length in the range of the operator, roughly orthogonal to what is there, and its product with
 /// the mass; `None` if there is nothing outside.
 fn new_direction(
-    operator: &Operator<'_>,
+    operator: &dyn Operator,
     random: &mut Random,
     basis: MatRef<'_, f64>,
     block: MatRef<'_, f64>,
 ) -> Option<(Vec<f64>, Vec<f64>)> {
-    let problem = operator.problem;
     let mut column = Mat::zeros(basis.nrows(), 1);
     random.fill(column.col_as_slice_mut(0));
-    let mut mass_column = problem.mass_times(column.as_ref());
+    let mut mass_column = operator.mass_times(column.as_ref());
     let before = mass_length(&column, &mass_column);
     for _ in 0..2 {
-        operator.rigid.remove_from(&mut column);
-        mass_column = problem.mass_times(column.as_ref());
+        operator.remove_rigid(&mut column);
+        mass_column = operator.mass_times(column.as_ref());
         for known in [basis, block] {
-            let removed = tall_gram(known, mass_column.as_ref(), problem.threads);
-            subtract_tall_product(column.as_mut(), known, removed.as_ref(), problem.threads);
+            let removed = tall_gram(known, mass_column.as_ref(), operator.threads());
+            subtract_tall_product(column.as_mut(), known, removed.as_ref(), operator.threads());
         }
-        mass_column = problem.mass_times(column.as_ref());
+        mass_column = operator.mass_times(column.as_ref());
     }
     if mass_length(&column, &mass_column) <= EXHAUSTED * before {
         return None;
     }
     // Without the operator, degrees of freedom without mass would keep what chance gave them.
     column = operator.apply(mass_column.as_ref());
-    mass_column = problem.mass_times(column.as_ref());
+    mass_column = operator.mass_times(column.as_ref());
     let length = mass_length(&column, &mass_column);
     if !length.is_normal() {
         return None;

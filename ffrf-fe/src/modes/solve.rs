@@ -11,7 +11,7 @@ use super::dense::{self, Pairs};
 use super::factor::Analysis;
 use super::inertia_count::{counting_shift, eigenvalues_below};
 use super::lanczos::{self, Known, subspace_size};
-use super::operator::Operator;
+use super::operator::ShiftInverted;
 use super::ordering::order;
 use super::polish::polish;
 use super::problem::Problem;
@@ -165,7 +165,7 @@ impl Search<'_> {
         let factor = analysis.factorise(&shifted)?;
         drop(shifted);
         progress(Progress { stage: Stage::Factorising, done: 1, total: 1 });
-        let operator = Operator { problem: self.problem, rigid: self.rigid, factor: &factor, shift };
+        let operator = ShiftInverted { problem: self.problem, rigid: self.rigid, factor: &factor, shift };
         lanczos::lowest(&operator, wanted, known, &mut |done| {
             progress(Progress { stage: Stage::Iterating, done, total: wanted });
         })

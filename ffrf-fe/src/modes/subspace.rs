@@ -17,7 +17,7 @@ use super::symmetric_eigen::symmetric_eigen;
 pub(crate) const BLOCK: usize = 8;
 
 pub(crate) struct Subspace<'a> {
-    operator: &'a Operator<'a>,
+    operator: &'a dyn Operator,
     random: Random,
     basis: Mat<f64>,
     /// M V⁺.
@@ -36,12 +36,12 @@ impl<'a> Subspace<'a> {
     ///
     /// Errors: [`ModeError::SubspaceTooLarge`].
     pub fn new(
-        operator: &'a Operator<'a>,
+        operator: &'a dyn Operator,
         known: MatRef<'_, f64>,
         known_values: Vec<f64>,
         capacity: usize,
     ) -> Result<Self, ModeError> {
-        let size = operator.problem.dimension();
+        let size = operator.size();
         let vectors = capacity + BLOCK;
         let mut room: Vec<f64> = Vec::new();
         let too_large = ModeError::SubspaceTooLarge { size, vectors };
@@ -125,8 +125,7 @@ impl<'a> Subspace<'a> {
         let width = residual_factor.ncols();
         let last = product(residual_factor.as_ref(), vectors.get(count - width..count, ..), Par::Seq);
         let residuals = (0..count).map(|j| last.col(j).norm_l2()).collect();
-        let elastic = self.operator.rigid.most_elastic(self.operator.problem);
-        let most = elastic.saturating_sub(self.locked.len());
+        let most = self.operator.pairs().saturating_sub(self.locked.len());
         Ok(Ritz { values, vectors, residuals, most })
     }
 
@@ -134,7 +133,7 @@ impl<'a> Subspace<'a> {
     pub fn restart(&mut self, ritz: &Ritz, lock: usize, keep: usize) {
         let (first, end) = (self.locked.len(), self.dimension());
         let rotation = ritz.vectors.get(.., 0..keep);
-        rotate(self.basis.as_mut().get_mut(.., first..end), rotation, self.operator.problem.threads);
+        rotate(self.basis.as_mut().get_mut(.., first..end), rotation, self.operator.threads());
         let columns = self.basis.ncols();
         for j in end..columns {
             let column = self.basis.col_as_slice(j).to_vec();
@@ -153,7 +152,7 @@ impl<'a> Subspace<'a> {
     pub fn into_shapes(mut self, ritz: &Ritz, count: usize) -> Mat<f64> {
         let (first, end) = (self.locked.len(), self.dimension());
         let rotation = ritz.vectors.get(.., 0..count);
-        rotate(self.basis.as_mut().get_mut(.., first..end), rotation, self.operator.problem.threads);
+        rotate(self.basis.as_mut().get_mut(.., first..end), rotation, self.operator.threads());
         self.basis.truncate(self.basis.nrows(), first + count);
         self.basis
     }

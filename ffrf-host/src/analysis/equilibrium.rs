@@ -29,7 +29,13 @@ impl Equilibrium {
     /// The state as a file that a simulation can begin with.
     pub fn saved(&self, scene: &Scene) -> SavedState {
         let angles = vec![None; scene.sensors.len()];
-        SavedState::new(scene, self.time, &Advance::new(&scene.settings), &angles, &self.state)
+        SavedState::new(
+            scene,
+            self.time,
+            &Advance::new(&scene.settings, self.time, self.state.clone()),
+            &angles,
+            &self.state,
+        )
     }
 }
 

@@ -1,7 +1,7 @@
 //! Force elements of any kind.
 
 use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Friction, Spring, TorsionSpring};
-use ffrf_runtime::{MarkerMotion, Wrench};
+use ffrf_runtime::{MarkerMotion, MarkerStep, Wrench};
 use nalgebra::{RealField, Vector3, convert};
 
 /// A force element and what it is attached to.
@@ -56,6 +56,10 @@ impl<T: RealField + Copy> ForceElement<T> for ElementKind<T> {
         self.as_element().wrenches(first, second)
     }
 
+    fn wrenches_over(&self, first: &MarkerStep<T>, second: &MarkerStep<T>) -> [Wrench<T>; 2] {
+        self.as_element().wrenches_over(first, second)
+    }
+
     fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {
         self.as_element().energy(first, second)
     }
@@ -81,12 +85,7 @@ impl ElementKind {
                 stiffness: bushing.stiffness.map(number),
                 damping: bushing.damping.map(number),
             }),
-            Self::Friction(friction) => ElementKind::Friction(Friction {
-                effort: friction.effort,
-                limit: number(friction.limit),
-                speed: number(friction.speed),
-                viscous: number(friction.viscous),
-            }),
+            Self::Friction(friction) => ElementKind::Friction(friction.cast()),
             Self::Constant(wrench) => ElementKind::Constant(ConstantWrench {
                 force: vector(&wrench.force),
                 moment: vector(&wrench.moment),

@@ -2,8 +2,8 @@
 
 use ffrf_codegen::mechanism::{JointTopology, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, Level, Plan, Port, Ports, Regularisation,
-    Storage, Treatment,
+    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, Level, Plan, Port, Ports,
+    Regularisation, Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
 use ffrf_runtime::{
@@ -28,6 +28,7 @@ pub struct HostMechanism<T: RealField + Copy = f64> {
     gravity: Vector3<T>,
     elements: Vec<Element<T>>,
     actuators: Vec<ScheduledActuator<T>>,
+    frictions: Vec<JointFriction<T>>,
     forces: Option<Box<Forces<T>>>,
     plan: OwnedPlan,
     treatment: Treatment<T>,
@@ -68,6 +69,7 @@ impl HostMechanism {
             gravity,
             elements: Vec::new(),
             actuators: Vec::new(),
+            frictions: Vec::new(),
             forces: None,
             plan,
             treatment: Treatment::projection(),
@@ -102,6 +104,7 @@ impl HostMechanism {
                 })
                 .collect(),
             actuators: self.actuators.iter().map(ScheduledActuator::cast).collect(),
+            frictions: self.frictions.iter().map(JointFriction::cast).collect(),
             forces: None,
             plan: self.plan.clone(),
             treatment: match self.treatment {
@@ -134,6 +137,13 @@ impl<T: RealField + Copy> HostMechanism<T> {
     #[must_use]
     pub fn with_actuators(mut self, actuators: Vec<ScheduledActuator<T>>) -> Self {
         self.actuators = actuators;
+        self
+    }
+
+    /// The same mechanism with friction that follows the reactions of joints.
+    #[must_use]
+    pub fn with_frictions(mut self, frictions: Vec<JointFriction<T>>) -> Self {
+        self.frictions = frictions;
         self
     }
 
@@ -202,14 +212,6 @@ impl<T: RealField + Copy> HostMechanism<T> {
         })
     }
 
-    /// Modes, each on its own, of every body; `None` if joints hold what modes move, or where matrices are dense.
-    fn oscillators(&self) -> Option<Vec<Oscillators<HostModal<T>>>> {
-        match self.joint_on_modes() {
-            Some(_) => None,
-            None => self.bodies.iter().map(Oscillators::new).collect(),
-        }
-    }
-
     /// The bodies.
     pub fn bodies(&self) -> &[HostBody<T>] {
         &self.bodies
@@ -240,6 +242,7 @@ impl<T: RealField + Copy> Ports<T> for HostPorts<'_, T> {
 impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     type State = Vec<State<HostModal<T>, T>>;
     type Increment = HostIncrement<T>;
+    type Modes = Vec<Oscillators<HostModal<T>, T>>;
     type Ports<'a>
         = HostPorts<'a, T>
     where
@@ -287,6 +290,7 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
             solution: &mut unknowns(),
             right: &mut unknowns(),
             shift: &mut unknowns(),
+            efforts: &mut vec![T::zero(); self.frictions.len()],
             rows: &mut vec![Rows::none(); joints],
             ends: &mut vec![[still; 2]; joints],
             used: false,
@@ -321,6 +325,10 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
         if let Some(forces) = &self.forces {
             forces(time, ports);
         }
+    }
+
+    fn friction(&self, index: usize) -> Option<JointFriction<T>> {
+        self.frictions.get(index).copied()
     }
 
     fn treatment(&self) -> Treatment<T> {
@@ -374,25 +382,29 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
         self.bodies.iter().filter_map(FlexibleBody::largest_stable_step).reduce(T::min)
     }
 
-    fn vibration_rates(&self, state: &Self::State) -> Option<HostIncrement<T>> {
-        let modes = self.oscillators()?;
-        Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.rates(state)).collect()))
+    fn modes(&self, step: T) -> Option<Self::Modes> {
+        match self.joint_on_modes() {
+            Some(_) => None,
+            None => self.bodies.iter().map(|body| Oscillators::new(body, step)).collect(),
+        }
     }
 
-    fn free_vibration(&self, state: &Self::State, step: T) -> Option<HostIncrement<T>> {
-        let modes = self.oscillators()?;
-        Some(HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.free(state, step)).collect()))
+    fn vibration_rates(&self, modes: &Self::Modes, state: &Self::State) -> HostIncrement<T> {
+        HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.rates(state)).collect())
+    }
+
+    fn free_vibration(&self, modes: &Self::Modes, state: &Self::State) -> HostIncrement<T> {
+        HostIncrement(modes.iter().zip(state).map(|(modes, state)| modes.free(state)).collect())
     }
 
     fn forced_vibration(
         &self,
+        modes: &Self::Modes,
         rates: &HostIncrement<T>,
-        step: T,
         forcing: Forcing,
-    ) -> Option<HostIncrement<T>> {
-        let modes = self.oscillators()?;
+    ) -> HostIncrement<T> {
         let parts = modes.iter().zip(&rates.0);
-        Some(HostIncrement(parts.map(|(modes, rates)| modes.forced(rates, step, forcing)).collect()))
+        HostIncrement(parts.map(|(modes, rates)| modes.forced(rates, forcing)).collect())
     }
 }
 

@@ -12,7 +12,7 @@ use super::file::SceneFile;
 use super::names::NamedBody;
 use super::sensors::{Sensor, sensor};
 use super::settings::{Coordinates, Integrator};
-use super::{SceneError, Settings, bodies, forces, joints};
+use super::{SceneError, SceneEvent, Settings, bodies, events, forces, joints};
 use crate::HostModal;
 use crate::mechanism::{Drive, HostMechanism, JointCoordinates, TreeError};
 
@@ -34,6 +34,8 @@ pub struct Scene {
     pub surfaces: Vec<Option<String>>,
     /// What is measured.
     pub sensors: Vec<Sensor>,
+    /// What is waited for.
+    pub events: Vec<SceneEvent>,
     /// How it is simulated.
     pub settings: Settings,
 }
@@ -46,7 +48,13 @@ impl Scene {
     }
 
     /// Composes a scene; the files that it names are looked for in `folder`.
+    ///
+    /// Errors: see [`SceneError`], with the line of the key that is at fault.
     pub fn compose(file: &SceneFile, folder: &Path) -> Result<Self, SceneError> {
+        Self::composed(file, folder).map_err(|error| error.on_line(&file.lines))
+    }
+
+    fn composed(file: &SceneFile, folder: &Path) -> Result<Self, SceneError> {
         let settings = Settings::new(&file.simulation)?;
         if file.bodies.is_empty() {
             return Err(SceneError::value("bodies", "at least one body", "none"));
@@ -74,7 +82,7 @@ impl Scene {
             joint_connections.push((name.clone(), own));
         }
         let (mut elements, mut actuators) = (Vec::new(), Vec::new());
-        let (mut element_names, mut actuator_names) = (Vec::new(), Vec::new());
+        let (mut element_names, mut actuator_names, mut frictions) = (Vec::new(), Vec::new(), Vec::new());
         for (name, table) in &file.forces {
             check_name("forces", name)?;
             let joints = Joints { names: &joint_connections, connections: &connections };
@@ -83,6 +91,7 @@ impl Scene {
                     elements.push(element);
                     element_names.push(name.clone());
                 }
+                Composed::Friction(friction) => frictions.push(friction),
                 Composed::Actuator(actuator) => {
                     actuators.push(actuator);
                     actuator_names.push(name.clone());
@@ -94,12 +103,18 @@ impl Scene {
             check_name("sensors", name)?;
             sensors.push(sensor(name, table, &mut named, &joint_connections)?);
         }
+        let mut waited_for = Vec::with_capacity(file.events.len());
+        for (name, table) in &file.events {
+            check_name("events", name)?;
+            waited_for.push(events::event(name, table, &sensors)?);
+        }
         let surfaces = file.bodies.iter().map(|(_, table)| table.surface.clone()).collect();
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
             .with_actuators(actuators)
+            .with_frictions(frictions)
             .with_treatment(settings.treatment);
         let scene = Self {
             mechanism,
@@ -110,6 +125,7 @@ impl Scene {
             actuator_names,
             surfaces,
             sensors,
+            events: waited_for,
             settings,
         };
         scene.joint_coordinates()?;
@@ -152,7 +168,7 @@ impl Scene {
             let name = self.connection_names.get(joint).map_or("", String::as_str);
             return refused(format!("joint `{name}`, which holds what modes move"));
         }
-        if self.mechanism.vibration_rates(&self.initial).is_none() {
+        if self.mechanism.modes(self.settings.output_step).is_none() {
             return refused("a dense modal mass, stiffness or damping".to_owned());
         }
         Ok(())

@@ -4,18 +4,20 @@ use std::path::Path;
 
 use ffrf_runtime::forces::{Effort, Friction};
 use ffrf_runtime::joints::JointKind;
-use ffrf_runtime::mechanism::{Attachment, Connection};
+use ffrf_runtime::mechanism::{Attachment, Connection, JointFriction};
 
 use super::SceneError;
 use super::file::ForceTable;
 use super::joints::{direction, function_of_time};
-use super::names::{NamedBody, attachment};
+use super::names::{NamedBody, attachment, different};
 use crate::mechanism::{Drive, Element, ElementKind, ScheduledActuator};
 
 /// What a table of forces makes.
 pub(super) enum Composed {
     /// Acts in its motion.
     Element(Element),
+    /// Follows the reaction of its joint.
+    Friction(JointFriction),
     /// Acts as its input over time says.
     Actuator(ScheduledActuator),
 }
@@ -35,7 +37,7 @@ pub(super) fn effort(
     joints: &Joints<'_>,
     folder: &Path,
 ) -> Result<Composed, SceneError> {
-    let ([first, second], usual) = match &table.joint {
+    let (InJoint { joint, ends: [first, second] }, usual) = match &table.joint {
         Some(joint) => in_joint(key, table, joint, joints)?,
         None => {
             let Some(second) = &table.second else {
@@ -46,7 +48,8 @@ pub(super) fn effort(
             let mut first = attachment(bodies, &format!("{key}.first"), first, table.first_position)?;
             first.orientation *= direction(&format!("{key}.axis"), table.axis)?;
             let second = attachment(bodies, &format!("{key}.second"), second, table.second_position)?;
-            ([first, second], None)
+            different(key, bodies, [&first, &second])?;
+            (InJoint { joint: None, ends: [first, second] }, None)
         }
     };
     let effort = match (table.acts.as_deref(), usual) {
@@ -64,13 +67,24 @@ pub(super) fn effort(
         if speed == 0.0 {
             return Err(SceneError::value(format!("{key}.speed"), "a positive speed", speed));
         }
-        let kind = ElementKind::Friction(Friction {
+        let coefficient = table.coefficient.map(|c| number(key, Some(c), "coefficient", None)).transpose()?;
+        let kind = Friction {
             effort,
-            limit: number(key, table.limit, "limit", None)?,
+            limit: number(key, table.limit, "limit", coefficient.map(|_| 0.0))?,
             speed,
             viscous: number(key, table.damping, "damping", Some(0.0))?,
-        });
-        Ok(Composed::Element(Element { kind, first, second }))
+        };
+        let arm = arm(key, table, effort)?;
+        match (coefficient, joint) {
+            (None, _) => Ok(Composed::Element(Element { kind: ElementKind::Friction(kind), first, second })),
+            (Some(coefficient), Some(joint)) => {
+                Ok(Composed::Friction(JointFriction { joint, kind, coefficient, arm }))
+            }
+            (Some(_), None) => {
+                let expected = "the joint whose reaction it follows, with `coefficient`";
+                Err(SceneError::value(format!("{key}.joint"), expected, "nothing"))
+            }
+        }
     } else {
         let Some(input) = &table.input else {
             return Err(SceneError::value(format!("{key}.input"), "a function of time", "nothing"));
@@ -86,8 +100,28 @@ pub(super) fn effort(
     }
 }
 
-/// Both ends of an element.
-type Ends = [Attachment<f64>; 2];
+/// What the force of friction becomes its effort by: the radius of a bearing, where it acts about the axis.
+fn arm(key: &str, table: &ForceTable, effort: Effort) -> Result<f64, SceneError> {
+    let radius = format!("{key}.radius");
+    match (table.radius, table.coefficient.is_some() && effort == Effort::About) {
+        (None, false) => Ok(1.0),
+        (Some(value), true) if value > 0.0 && value.is_finite() => Ok(value),
+        (Some(value), true) => Err(SceneError::value(radius, "a positive radius", value)),
+        (None, true) => {
+            Err(SceneError::value(radius, "the radius of the bearing (m), with `coefficient`", "nothing"))
+        }
+        (Some(_), false) => {
+            let expected = "nothing: it is for friction about an axis with a `coefficient`";
+            Err(SceneError::value(radius, expected, "a value"))
+        }
+    }
+}
+
+/// Both ends of an element, and the joint that it is in.
+struct InJoint {
+    joint: Option<usize>,
+    ends: [Attachment<f64>; 2],
+}
 
 /// Both ends of a joint, and where an effort in it usually acts: on what the joint leaves free.
 fn in_joint(
@@ -95,7 +129,7 @@ fn in_joint(
     table: &ForceTable,
     name: &str,
     joints: &Joints<'_>,
-) -> Result<(Ends, Option<Effort>), SceneError> {
+) -> Result<(InJoint, Option<Effort>), SceneError> {
     let places = [
         (table.first.is_some(), "first"),
         (table.second.is_some(), "second"),
@@ -108,7 +142,8 @@ fn in_joint(
         return Err(SceneError::value(format!("{key}.{what}"), expected, "a value"));
     }
     let found = joints.names.iter().find(|(known, _)| known == name);
-    let Some((connection, _)) = found.and_then(|(_, own)| joints.connections.get(*own.first()?)) else {
+    let own = found.and_then(|(_, own)| own.first().copied());
+    let Some((connection, _)) = own.and_then(|own| joints.connections.get(own)) else {
         return Err(SceneError::Unknown {
             key: format!("{key}.joint"),
             kind: "joint",
@@ -121,7 +156,7 @@ fn in_joint(
         JointKind::Prismatic(_) | JointKind::InLine(_) => Some(Effort::Along),
         _ => None,
     };
-    Ok(([connection.first, connection.second], usual))
+    Ok((InJoint { joint: own, ends: [connection.first, connection.second] }, usual))
 }
 
 /// A number that is not negative, or what stands for none.

@@ -21,6 +21,14 @@ pub enum SceneError {
     /// The file is not TOML; the message has line and column.
     #[error("{0}")]
     Syntax(#[from] Box<toml::de::Error>),
+    /// What is wrong on a line.
+    #[error("line {line}: {error}")]
+    Line {
+        /// The line, counted from one.
+        line: usize,
+        /// What is wrong.
+        error: Box<SceneError>,
+    },
     /// A table has a key that is unknown, missing, or of another kind.
     #[error("{key}: {message}")]
     Key {
@@ -61,7 +69,7 @@ pub enum SceneError {
         /// Why.
         source: Box<ModelError>,
     },
-    /// Joints that connect nothing.
+    /// Joints that cannot be.
     #[error("joints: {0}")]
     Topology(#[from] TopologyError),
     /// No initial velocities or accelerations meet the joints: they, or their drives, contradict each other.
@@ -91,6 +99,25 @@ pub enum SceneError {
 }
 
 impl SceneError {
+    /// The key that is at fault, if one is.
+    fn key(&self) -> Option<&str> {
+        match self {
+            Self::Key { key, .. }
+            | Self::Value { key, .. }
+            | Self::Unknown { key, .. }
+            | Self::Model { key, .. } => Some(key),
+            _ => None,
+        }
+    }
+
+    /// The same with the line of its key.
+    pub(super) fn on_line(self, lines: &super::Lines) -> Self {
+        match self.key().and_then(|key| lines.of_key(key)) {
+            Some(line) => Self::Line { line, error: Box::new(self) },
+            None => self,
+        }
+    }
+
     /// [`SceneError::Value`] in short.
     pub(super) fn value(key: impl Into<String>, expected: impl Into<String>, found: impl ToString) -> Self {
         Self::Value { key: key.into(), expected: expected.into(), found: found.to_string() }

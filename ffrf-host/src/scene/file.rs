@@ -4,9 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Deserialize;
-use toml::{Table, Value};
+use serde::de::IntoDeserializer;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 use super::SceneError;
+use super::lines::{Lines, line_at};
 
 /// Three numbers.
 pub type Vector = [f64; 3];
@@ -154,6 +157,10 @@ pub struct ForceTable {
     pub limit: Option<f64>,
     /// Speed at which friction has 71 % of its limit. Units: m/s or rad/s.
     pub speed: Option<f64>,
+    /// Coefficient of friction that follows the reaction of its joint.
+    pub coefficient: Option<f64>,
+    /// Radius of the bearing, for friction about an axis that follows the reaction. Units: m.
+    pub radius: Option<f64>,
     /// Input of an actuator over time.
     pub input: Option<FunctionValue>,
     /// Force or moment of an actuator per unit of its input. Units: N or N m.
@@ -184,6 +191,23 @@ pub struct SensorTable {
     pub of: String,
 }
 
+/// `[events.NAME]`
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EventTable {
+    /// The sensor that is watched.
+    pub sensor: String,
+    /// Which of its numbers: `x`, `y`, `z`, `w`; none where it has one.
+    pub component: Option<String>,
+    /// The value that is passed; zero if nothing is said. Units: those of the sensor.
+    #[serde(default)]
+    pub value: f64,
+    /// `either` (if nothing is said), `rising` or `falling`.
+    pub direction: Option<String>,
+    /// `record` (if nothing is said) or `stop`.
+    pub then: Option<String>,
+}
+
 /// A scene file, in its order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneFile {
@@ -197,6 +221,10 @@ pub struct SceneFile {
     pub forces: Vec<(String, ForceTable)>,
     /// `[sensors.*]`
     pub sensors: Vec<(String, SensorTable)>,
+    /// `[events.*]`
+    pub events: Vec<(String, EventTable)>,
+    /// Lines of all keys.
+    pub lines: Lines,
 }
 
 impl SceneFile {
@@ -209,52 +237,79 @@ impl SceneFile {
 
     /// Reads the text of a scene file.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
-        let mut table: Table = toml::from_str(text).map_err(Box::new)?;
+        let mut table = DeTable::parse(text).map_err(Box::new)?.into_inner();
+        let lines = Lines::of(text, &table);
+        let file = Reading { text };
         let simulation = table.remove("simulation").ok_or_else(|| SceneError::Key {
             key: "simulation".to_owned(),
             message: "the table [simulation] is missing".to_owned(),
         })?;
         let scene = Self {
-            simulation: value("simulation", simulation)?,
-            bodies: tables("bodies", &mut table)?,
-            joints: tables("joints", &mut table)?,
-            forces: tables("forces", &mut table)?,
-            sensors: tables("sensors", &mut table)?,
+            simulation: file.value("simulation", simulation)?,
+            bodies: file.tables("bodies", &mut table)?,
+            joints: file.tables("joints", &mut table)?,
+            forces: file.tables("forces", &mut table)?,
+            sensors: file.tables("sensors", &mut table)?,
+            events: file.tables("events", &mut table)?,
+            lines,
         };
         match table.keys().next() {
-            Some(unknown) => Err(SceneError::Key {
-                key: unknown.clone(),
-                message:
-                    "unknown table, expected one of `simulation`, `bodies`, `joints`, `forces`, `sensors`"
+            Some(unknown) => Err(file.at(
+                unknown.span().start,
+                SceneError::Key {
+                    key: unknown.get_ref().escape_debug().to_string(),
+                    message: "unknown table, expected one of `simulation`, `bodies`, `joints`, `forces`, `sensors`, `events`"
                         .to_owned(),
-            }),
+                },
+            )),
             None => Ok(scene),
         }
     }
 }
 
-/// The tables `[section.*]` in their order.
-fn tables<T: for<'a> Deserialize<'a>>(
-    section: &str,
-    table: &mut Table,
-) -> Result<Vec<(String, T)>, SceneError> {
-    let Some(found) = table.remove(section) else { return Ok(Vec::new()) };
-    let Value::Table(found) = found else {
-        let message = format!("expected tables [{section}.NAME], found {}", found.type_str());
-        return Err(SceneError::Key { key: section.to_owned(), message });
-    };
-    found
-        .into_iter()
-        .map(|(name, entry)| {
-            let key = format!("{section}.{name}");
-            Ok((name, value(&key, entry)?))
-        })
-        .collect()
+/// The text that is read, for the lines of what is wrong.
+struct Reading<'a> {
+    text: &'a str,
 }
 
-fn value<T: for<'a> Deserialize<'a>>(key: &str, found: Value) -> Result<T, SceneError> {
-    found.try_into().map_err(|error: toml::de::Error| SceneError::Key {
-        key: key.to_owned(),
-        message: error.message().to_owned(),
-    })
+impl Reading<'_> {
+    /// The tables `[section.*]` in their order.
+    fn tables<T: for<'a> Deserialize<'a>>(
+        &self,
+        section: &str,
+        table: &mut DeTable<'_>,
+    ) -> Result<Vec<(String, T)>, SceneError> {
+        let Some(found) = table.remove(section) else { return Ok(Vec::new()) };
+        let place = found.span().start;
+        match found.into_inner() {
+            DeValue::Table(found) => found
+                .into_iter()
+                .map(|(name, entry)| {
+                    let name = name.into_inner().into_owned();
+                    let value = self.value(&format!("{section}.{name}"), entry)?;
+                    Ok((name, value))
+                })
+                .collect(),
+            other => {
+                let message = format!("expected tables [{section}.NAME], found {}", other.type_str());
+                Err(self.at(place, SceneError::Key { key: section.to_owned(), message }))
+            }
+        }
+    }
+
+    fn value<T: for<'a> Deserialize<'a>>(
+        &self,
+        key: &str,
+        found: Spanned<DeValue<'_>>,
+    ) -> Result<T, SceneError> {
+        let begin = found.span().start;
+        T::deserialize(found.into_deserializer()).map_err(|error| {
+            let place = error.span().map_or(begin, |span| span.start);
+            self.at(place, SceneError::Key { key: key.to_owned(), message: error.message().to_owned() })
+        })
+    }
+
+    fn at(&self, place: usize, error: SceneError) -> SceneError {
+        SceneError::Line { line: line_at(self.text, place), error: Box::new(error) }
+    }
 }

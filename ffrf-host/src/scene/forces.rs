@@ -11,7 +11,7 @@ use super::SceneError;
 use super::efforts::{Composed, Joints, effort, number};
 use super::file::{ForceTable, Vector};
 use super::joints::{direction, triad};
-use super::names::{NamedBody, attachment};
+use super::names::{NamedBody, attachment, different};
 use crate::HostModal;
 use crate::mechanism::{Element, ElementKind};
 
@@ -38,6 +38,7 @@ pub(super) fn element(
     let first = table.first.as_deref().unwrap_or("ground");
     let mut first = attachment(bodies, &format!("{key}.first"), first, table.first_position)?;
     let mut second = attachment(bodies, &format!("{key}.second"), second, table.second_position)?;
+    different(&key, bodies, [&first, &second])?;
     let number = |value, what, otherwise| number(&key, value, what, otherwise);
     let kind = match table.kind.as_str() {
         "spring" => {
@@ -104,6 +105,8 @@ fn used(key: &str, table: &ForceTable) -> Result<(), SceneError> {
         (table.acts.is_some(), "acts", &["friction", "actuator"]),
         (table.limit.is_some(), "limit", &["friction", "actuator"]),
         (table.speed.is_some(), "speed", &["friction"]),
+        (table.coefficient.is_some(), "coefficient", &["friction"]),
+        (table.radius.is_some(), "radius", &["friction"]),
         (table.input.is_some(), "input", &["actuator"]),
         (table.gain.is_some(), "gain", &["actuator"]),
         (table.axis.is_some(), "axis", &["torsion_spring", "friction", "actuator"]),

@@ -13,7 +13,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::SceneError;
 use super::file::{FunctionValue, JointTable, Vector};
-use super::names::{NamedBody, attachment};
+use super::names::{NamedBody, attachment, different};
 use crate::HostModal;
 use crate::mechanism::{Drive, Formula, Table};
 
@@ -34,6 +34,7 @@ pub(super) fn joint(
     let key = format!("joints.{name}");
     let mut first = attachment(bodies, &format!("{key}.first"), &table.first, table.first_position)?;
     let mut second = attachment(bodies, &format!("{key}.second"), &table.second, table.second_position)?;
+    different(&key, bodies, [&first, &second])?;
     let ends = [triad(bodies, states, &first), triad(bodies, states, &second)];
     let kind = kind(&key, table, &ends)?;
     let to_axis = direction(&format!("{key}.axis"), table.axis)?;
@@ -178,8 +179,10 @@ pub(super) fn function_of_time(
             let path = folder.join(text);
             let is_table = [".csv", ".txt", ".dat"].iter().any(|ending| text.ends_with(ending));
             if is_table || path.is_file() {
-                let content = std::fs::read_to_string(&path)
-                    .map_err(|source| SceneError::Read { path: path.clone(), source })?;
+                let content = std::fs::read_to_string(&path).map_err(|source| SceneError::Key {
+                    key: key.to_owned(),
+                    message: format!("{}: {source}", path.display()),
+                })?;
                 return Table::parse(&content).map(Drive::Table).map_err(|error| SceneError::Key {
                     key: key.to_owned(),
                     message: format!("{}: {error}", path.display()),

@@ -90,3 +90,16 @@ pub(super) fn attachment(
     };
     Ok(Attachment { body: Some(index), marker, position: Vector3::zeros(), orientation })
 }
+
+/// Errors: both ends are on one body, or on the ground.
+pub(super) fn different(
+    key: &str,
+    bodies: &[NamedBody],
+    [first, second]: [&Attachment<f64>; 2],
+) -> Result<(), SceneError> {
+    if first.body != second.body {
+        return Ok(());
+    }
+    let found = first.body.map_or("ground", |body| bodies[body].name.as_str());
+    Err(SceneError::value(key, "two different ends", format!("`{found}` at both")))
+}

@@ -17,6 +17,8 @@ pub struct SceneCheck {
     pub rows: usize,
     /// Names of rows that say nothing new here: joint and what it holds.
     pub redundant: Vec<String>,
+    /// Bodies that no joint holds.
+    pub flying: Vec<String>,
     /// What is left to move.
     pub degrees_of_freedom: usize,
     /// For each joint, the largest residual of the file's state: position (m or rad) and velocity.
@@ -58,7 +60,16 @@ pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
     let redundant = redundant(&gradients, &names);
     let velocities = mechanism.bodies().iter().map(|body| 6 + body.mode_count()).sum();
     let rows = names.len();
+    let held = |body: usize| {
+        mechanism
+            .connections()
+            .iter()
+            .any(|joint| [joint.first.body, joint.second.body].contains(&Some(body)))
+    };
+    let names = scene.body_names.iter().enumerate();
+    let flying = names.filter(|(body, _)| !held(*body)).map(|(_, name)| name.clone()).collect();
     Ok(SceneCheck {
+        flying,
         velocities,
         rows,
         degrees_of_freedom: velocities + redundant.len() - rows,

@@ -111,7 +111,7 @@ pub fn run_with_events<S: System<f64>>(
 /// A zero in a bracket with values of different signs: regula falsi with the Illinois rule, bisected where it is slow.
 ///
 /// Source: Dowell, Jarratt, A modified regula falsi method for computing the root of an equation, BIT 11 (1971) 168-174.
-fn zero(
+pub(super) fn zero(
     value: impl Fn(f64) -> f64,
     [mut low, mut high]: [f64; 2],
     [mut at_low, mut at_high]: [f64; 2],

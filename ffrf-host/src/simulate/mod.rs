@@ -7,12 +7,14 @@ mod run;
 mod sample;
 mod saved_state;
 mod spin;
+mod watch;
 
-pub use advance::Advance;
+pub use advance::{Advance, Advancing, States};
 pub use check::{SceneCheck, check};
 pub use events::{Ended, Event, EventFunction, Then, run_with_events};
 pub use run::{Progress, SimulationError, Summary, simulate};
 pub(crate) use sample::read as read_sensor;
 pub use sample::{Sample, header};
-pub use saved_state::{BodyState, SavedState, StateError};
+pub use saved_state::{BodyState, SavedState, StateError, WholeStep};
 pub use spin::SpinWarning;
+pub use watch::Passed;

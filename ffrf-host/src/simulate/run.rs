@@ -4,9 +4,11 @@ use ffrf_runtime::StepError;
 use ffrf_runtime::mechanism::Assembly;
 use thiserror::Error;
 
+use super::advance::{Reached, Step};
 use super::sample::sample;
 use super::spin::SpinWatch;
-use super::{Advance, Sample, SavedState, SpinWarning, StateError};
+use super::watch::{Passed, Watch};
+use super::{Advance, Advancing, Sample, SavedState, SpinWarning, StateError};
 use crate::scene::{Scene, SceneError};
 
 /// Where a simulation is.
@@ -31,6 +33,8 @@ pub struct Summary {
     pub end: SavedState,
     /// Bodies that turned faster than their modes can stand.
     pub spin: Vec<SpinWarning>,
+    /// Events that happened, in their order.
+    pub events: Vec<Passed>,
 }
 
 /// Why a simulation ended early.
@@ -67,20 +71,22 @@ pub fn simulate(
 ) -> Result<Summary, SimulationError> {
     let settings = &scene.settings;
     let tree = scene.joint_coordinates()?;
-    let mut advance = Advance::new(settings);
+    let advancing = Advancing { mechanism: &scene.mechanism, tree: tree.as_ref(), settings };
     let mut angles = vec![None; scene.sensors.len()];
-    let (mut time, (mut state, initial_residuals)) = match from {
-        None => (0.0, scene.assembled()?),
+    let (mut time, mut state, mut advance, initial_residuals) = match from {
+        None => {
+            let (state, residuals) = scene.assembled()?;
+            (0.0, state.clone(), Advance::new(settings, 0.0, state), residuals)
+        }
         Some(saved) => {
-            advance.next_step = saved.next_step;
-            advance.memory = saved.memory(scene)?;
             if saved.angles.len() == angles.len() {
                 angles.clone_from(&saved.angles);
             }
-            (saved.time, (saved.states(scene)?, [0.0; 2]))
+            (saved.time, saved.states(scene)?, saved.advance(scene)?, [0.0; 2])
         }
     };
     let refused = |time: f64, error: StepError| SimulationError::Step { time, reason: reason(scene, error) };
+    let mut events = Watch::new(scene, time, &state).map_err(|error| refused(time, error))?;
     let mut watch = SpinWatch::new(scene);
     watch.look(scene, time, &state);
     write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
@@ -95,17 +101,32 @@ pub fn simulate(
             index += 1.0;
             continue;
         }
-        state = advance
-            .to(&scene.mechanism, tree.as_ref(), settings, state, time, end)
-            .map_err(|(time, error)| refused(time, error))?;
-        time = end;
+        let refuse = |(time, error)| refused(time, error);
+        let mut look = |step: &Step<'_>| events.look(step);
+        let mut reached = advance.to(&advancing, end, &mut look).map_err(refuse)?;
+        if let Reached::Sample(state) = &reached
+            && end >= settings.duration
+            && !advance.is_at(settings, end)
+            && let Some((time, state)) =
+                advance.look_at(&advancing, (end, state), &mut look).map_err(refuse)?
+        {
+            reached = Reached::Stop(time, state);
+        }
+        let stopped = matches!(reached, Reached::Stop(..));
+        (time, state) = match reached {
+            Reached::Sample(state) => (end, state),
+            Reached::Stop(time, state) => (time, state),
+        };
         index += 1.0;
         watch.look(scene, time, &state);
         write(&sample(scene, time, &state, &mut angles).map_err(|error| refused(time, error))?)?;
         progress(Progress { time, share: time / settings.duration, steps: advance.steps });
+        if stopped {
+            break;
+        }
     }
     let end = SavedState::new(scene, time, &advance, &angles, &state);
-    Ok(Summary { advance, initial_residuals, end, spin: watch.warnings })
+    Ok(Summary { advance, initial_residuals, end, spin: watch.warnings, events: events.passed })
 }
 
 fn reason(scene: &Scene, error: StepError) -> String {

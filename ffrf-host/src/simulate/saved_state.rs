@@ -10,7 +10,7 @@ use thiserror::Error;
 use super::Advance;
 use crate::HostModal;
 use crate::mechanism::HostIncrement;
-use crate::scene::Scene;
+use crate::scene::{Scene, StepChoice};
 
 /// The state of all bodies at one time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -22,6 +22,19 @@ pub struct SavedState {
     pub next_step: f64,
     /// Angles that sensors have counted over turns. Units: rad.
     pub angles: Vec<Option<f64>>,
+    /// Bodies by name.
+    pub bodies: BTreeMap<String, BodyState>,
+    /// Where the last whole step ended, if that was before `time`: from there a run goes on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub whole_step: Option<WholeStep>,
+}
+
+/// The end of a whole step; times between are reached by shorter steps beside them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WholeStep {
+    /// Time. Units: s.
+    pub time: f64,
     /// Bodies by name.
     pub bodies: BTreeMap<String, BodyState>,
 }
@@ -77,73 +90,109 @@ impl SavedState {
         angles: &[Option<f64>],
         state: &[State<HostModal>],
     ) -> Self {
-        let bodies = scene.body_names.iter().zip(state).enumerate().map(|(index, (name, state))| {
-            let theta = &state.orientation;
-            let remembered =
-                advance.memory.iter().flat_map(|memory| [&memory.accelerations, &memory.shifted]);
-            let body = BodyState {
-                position: state.position.into(),
-                orientation: [theta.w, theta.i, theta.j, theta.k],
-                modal_coordinates: state.modal_coordinates.0.as_slice().to_vec(),
-                velocity: state.velocity.into(),
-                angular_velocity: state.angular_velocity.into(),
-                modal_rates: state.modal_rates.0.as_slice().to_vec(),
-                remembered_accelerations: remembered.flat_map(|all| flat(&all.0[index])).collect(),
-            };
-            (name.clone(), body)
-        });
-        Self { time, next_step: advance.next_step, angles: angles.to_vec(), bodies: bodies.collect() }
+        let memory = advance.memory.as_ref();
+        let whole = !advance.is_at(&scene.settings, time);
+        let whole_step =
+            whole.then(|| WholeStep { time: advance.time, bodies: saved(scene, &advance.state, memory) });
+        let memory = memory.filter(|_| !whole);
+        let bodies = saved(scene, state, memory);
+        Self { time, next_step: advance.next_step, angles: angles.to_vec(), bodies, whole_step }
     }
 
-    /// What the generalised-α method remembered, if every body has it.
-    pub(super) fn memory(&self, scene: &Scene) -> Result<Option<AlphaMemory<HostIncrement>>, StateError> {
-        if self.bodies.values().all(|body| body.remembered_accelerations.is_empty()) {
-            return Ok(None);
+    /// From where the run goes on. Errors: see [`StateError`].
+    pub(super) fn advance(&self, scene: &Scene) -> Result<Advance, StateError> {
+        let (time, bodies) = match &self.whole_step {
+            Some(WholeStep { time, bodies }) => (*time, bodies),
+            None => (self.time, &self.bodies),
+        };
+        let mut advance = Advance::new(&scene.settings, time, restored(scene, bodies)?);
+        if matches!(scene.settings.step, StepChoice::Tolerance(_)) {
+            advance.next_step = self.next_step;
         }
-        let none = HostIncrement(Vec::new());
-        let mut memory = AlphaMemory { accelerations: none.clone(), shifted: none };
-        for (name, body) in scene.body_names.iter().zip(scene.mechanism.bodies()) {
-            let modes = body.mode_count();
-            let numbers = self.bodies.get(name).map_or(&[][..], |body| &body.remembered_accelerations);
-            if numbers.len() != 2 * (6 + modes) {
-                let found = format!("{} remembered accelerations", numbers.len());
-                return Err(StateError::Modes { body: name.clone(), expected: modes, found });
-            }
-            let (accelerations, shifted) = numbers.split_at(6 + modes);
-            memory.accelerations.0.push(raised(accelerations));
-            memory.shifted.0.push(raised(shifted));
-        }
-        Ok(Some(memory))
+        advance.memory = memory(scene, bodies)?;
+        Ok(advance)
     }
 
     /// The states of the bodies of a scene, bit by bit. Errors: see [`StateError`].
     pub fn states(&self, scene: &Scene) -> Result<Vec<State<HostModal>>, StateError> {
-        if let Some(body) = self.bodies.keys().find(|name| !scene.body_names.contains(name)) {
-            return Err(StateError::Extra { body: body.clone() });
-        }
-        let bodies = scene.body_names.iter().zip(scene.mechanism.bodies());
-        bodies
-            .map(|(name, body)| {
-                let expected = body.mode_count();
-                let refused = |found: String| StateError::Modes { body: name.clone(), expected, found };
-                let saved = self.bodies.get(name).ok_or_else(|| refused("no such body".to_owned()))?;
-                if saved.modal_coordinates.len() != expected || saved.modal_rates.len() != expected {
-                    let counts = [saved.modal_coordinates.len(), saved.modal_rates.len()];
-                    return Err(refused(format!("{} and {}", counts[0], counts[1])));
-                }
-                let [w, i, j, k] = saved.orientation;
-                Ok(State {
-                    position: saved.position.into(),
-                    // not normalised: it was when it was saved, and must keep its bits
-                    orientation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
-                    modal_coordinates: HostModal(DVector::from_column_slice(&saved.modal_coordinates)),
-                    velocity: saved.velocity.into(),
-                    angular_velocity: saved.angular_velocity.into(),
-                    modal_rates: HostModal(DVector::from_column_slice(&saved.modal_rates)),
-                })
-            })
-            .collect()
+        restored(scene, &self.bodies)
     }
+}
+
+/// The states of all bodies by name.
+fn saved(
+    scene: &Scene,
+    states: &[State<HostModal>],
+    memory: Option<&AlphaMemory<HostIncrement>>,
+) -> BTreeMap<String, BodyState> {
+    let bodies = scene.body_names.iter().zip(states).enumerate().map(|(index, (name, state))| {
+        let theta = &state.orientation;
+        let remembered = memory.into_iter().flat_map(|memory| [&memory.accelerations, &memory.shifted]);
+        let body = BodyState {
+            position: state.position.into(),
+            orientation: [theta.w, theta.i, theta.j, theta.k],
+            modal_coordinates: state.modal_coordinates.0.as_slice().to_vec(),
+            velocity: state.velocity.into(),
+            angular_velocity: state.angular_velocity.into(),
+            modal_rates: state.modal_rates.0.as_slice().to_vec(),
+            remembered_accelerations: remembered.flat_map(|all| flat(&all.0[index])).collect(),
+        };
+        (name.clone(), body)
+    });
+    bodies.collect()
+}
+
+/// What the generalised-α method remembered, if every body has it.
+fn memory(
+    scene: &Scene,
+    saved: &BTreeMap<String, BodyState>,
+) -> Result<Option<AlphaMemory<HostIncrement>>, StateError> {
+    if saved.values().all(|body| body.remembered_accelerations.is_empty()) {
+        return Ok(None);
+    }
+    let none = HostIncrement(Vec::new());
+    let mut memory = AlphaMemory { accelerations: none.clone(), shifted: none };
+    for (name, body) in scene.body_names.iter().zip(scene.mechanism.bodies()) {
+        let modes = body.mode_count();
+        let numbers = saved.get(name).map_or(&[][..], |body| &body.remembered_accelerations);
+        if numbers.len() != 2 * (6 + modes) {
+            let found = format!("{} remembered accelerations", numbers.len());
+            return Err(StateError::Modes { body: name.clone(), expected: modes, found });
+        }
+        let (accelerations, shifted) = numbers.split_at(6 + modes);
+        memory.accelerations.0.push(raised(accelerations));
+        memory.shifted.0.push(raised(shifted));
+    }
+    Ok(Some(memory))
+}
+
+/// The states of the bodies of a scene, bit by bit.
+fn restored(scene: &Scene, saved: &BTreeMap<String, BodyState>) -> Result<Vec<State<HostModal>>, StateError> {
+    if let Some(body) = saved.keys().find(|name| !scene.body_names.contains(name)) {
+        return Err(StateError::Extra { body: body.clone() });
+    }
+    let bodies = scene.body_names.iter().zip(scene.mechanism.bodies());
+    bodies
+        .map(|(name, body)| {
+            let expected = body.mode_count();
+            let refused = |found: String| StateError::Modes { body: name.clone(), expected, found };
+            let saved = saved.get(name).ok_or_else(|| refused("no such body".to_owned()))?;
+            if saved.modal_coordinates.len() != expected || saved.modal_rates.len() != expected {
+                let counts = [saved.modal_coordinates.len(), saved.modal_rates.len()];
+                return Err(refused(format!("{} and {}", counts[0], counts[1])));
+            }
+            let [w, i, j, k] = saved.orientation;
+            Ok(State {
+                position: saved.position.into(),
+                // not normalised: it was when it was saved, and must keep its bits
+                orientation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
+                modal_coordinates: HostModal(DVector::from_column_slice(&saved.modal_coordinates)),
+                velocity: saved.velocity.into(),
+                angular_velocity: saved.angular_velocity.into(),
+                modal_rates: HostModal(DVector::from_column_slice(&saved.modal_rates)),
+            })
+        })
+        .collect()
 }
 
 /// The rates of velocities of an increment: linear, angular, modal.

@@ -4,9 +4,11 @@
 mod accelerations;
 mod bodies;
 mod dense;
+mod energy;
 mod forces;
 mod generated_kernels;
 mod graphs;
+mod joint_friction;
 mod power;
 mod reactions;
 mod redundancy_report;

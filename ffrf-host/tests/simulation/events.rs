@@ -121,3 +121,122 @@ fn the_dense_output_has_order_four() {
     let end = &system.retract(&start, &dense.unwrap().increment(1.0))[0];
     assert!((end.angular_velocity - tried.accepted.unwrap().0[0].angular_velocity).norm() < 1e-12);
 }
+
+/// The pendulum as a scene.
+fn scene(simulation: &str, events: &str) -> Result<ffrf_host::scene::Scene, String> {
+    let text = format!(
+        r#"[simulation]
+duration = 2.0
+{simulation}
+gravity = [0.0, -9.81, 0.0]
+output_step = 0.1
+[bodies.bob]
+mass = 1.0
+center_of_mass = [{LENGTH}, 0.0, 0.0]
+inertia = [[0.02, 0.0, 0.0], [0.0, 0.02, 0.0], [0.0, 0.0, 0.02]]
+markers.TIP = [{LENGTH}, 0.0, 0.0]
+[joints.hinge]
+kind = "revolute"
+first = "ground"
+second = "bob"
+[sensors.tip]
+kind = "position"
+of = "bob.TIP"
+[sensors.swing]
+kind = "angle"
+of = "hinge"
+{events}"#
+    );
+    let file = ffrf_host::scene::file::SceneFile::parse(&text).map_err(|error| error.to_string())?;
+    ffrf_host::scene::Scene::compose(&file, std::path::Path::new("")).map_err(|error| error.to_string())
+}
+
+const LOWEST: &str = "[events.lowest]\nsensor = \"tip\"\ncomponent = \"x\"\n";
+
+#[test]
+fn events_of_scenes_happen_when_the_elliptic_integral_says() {
+    // RK4 and the methods of order 2 at their own accuracy
+    for (simulation, located) in [
+        ("step = 1e-3", 1e-9),
+        ("tolerance = 1e-11", 1e-8),
+        ("step = 1e-3\nintegrator = \"linearly_implicit\"", 1e-5),
+        ("step = 1e-3\nintegrator = \"energy_momentum\"", 1e-5),
+        ("step = 1e-3\nintegrator = \"generalized_alpha\"", 1e-5),
+        ("step = 1e-3\nconstraints = \"minimal\"", 1e-9),
+    ] {
+        let scene = scene(simulation, LOWEST).unwrap();
+        let summary = ffrf_host::simulate::simulate(&scene, None, |_| Ok(()), |_| ()).unwrap();
+        let ways: Vec<bool> = summary.events.iter().map(|event| event.rising).collect();
+        assert_eq!(ways, [false, true], "{simulation}: {:?}", summary.events);
+        for (k, event) in summary.events.iter().enumerate() {
+            let expected = quarter() * (1 + 2 * k) as f64;
+            assert!((event.time - expected).abs() < located, "{simulation}: {event:?} {expected}");
+        }
+    }
+}
+
+#[test]
+fn an_event_can_stop_a_run_that_goes_on_later() {
+    let stopping = format!("{LOWEST}then = \"stop\"\ndirection = \"falling\"\n");
+    let scene_of = |events: &str| scene("step = 1e-3", events).unwrap();
+    let run = |scene: &ffrf_host::scene::Scene, from: Option<&ffrf_host::simulate::SavedState>| {
+        let mut samples = Vec::new();
+        let keep = |sample: &ffrf_host::simulate::Sample| {
+            samples.push(sample.clone());
+            Ok(())
+        };
+        let summary = ffrf_host::simulate::simulate(scene, from, keep, |_| ()).unwrap();
+        (samples, summary)
+    };
+    let (samples, summary) = run(&scene_of(&stopping), None);
+    let last = samples.last().unwrap();
+    assert!((last.time - quarter()).abs() < 1e-9 && summary.end.time == last.time, "{}", last.time);
+    assert!((summary.end.bodies["bob"].orientation[0] - 0.5_f64.sqrt()).abs() < 1e-9);
+    // from there on it is the run that was not stopped
+    let (rest, on) = run(&scene_of(&stopping), Some(&summary.end));
+    let (whole, _) = run(&scene_of(LOWEST), None);
+    assert_eq!(rest.last(), whole.last());
+    assert!(on.events.is_empty(), "{:?}", on.events);
+}
+
+#[test]
+fn an_angle_turns_over_without_an_event() {
+    let spin = "[events.over]\nsensor = \"swing\"\nvalue = -1.0\n";
+    let scene = scene("step = 1e-3", spin).unwrap();
+    let summary = ffrf_host::simulate::simulate(&scene, None, |_| Ok(()), |_| ()).unwrap();
+    // down through -1 rad and up again
+    let ways: Vec<bool> = summary.events.iter().map(|event| event.rising).collect();
+    assert_eq!(ways, [false, true], "{:?}", summary.events);
+}
+
+#[test]
+fn tables_of_events_refuse_what_they_cannot_mean() {
+    for (events, expected) in [
+        ("[events.a]\nsensor = \"tap\"", "events.a.sensor: no sensor is called `tap`; there are tip, swing"),
+        ("[events.a]\nsensor = \"tip\"", "events.a.component: expected one of x, y, z, found nothing"),
+        (
+            "[events.a]\nsensor = \"tip\"\ncomponent = \"w\"",
+            "events.a.component: expected one of x, y, z, found `w`",
+        ),
+        (
+            "[events.a]\nsensor = \"swing\"\ncomponent = \"x\"",
+            "events.a.component: expected nothing: `swing` is one number, found `x`",
+        ),
+        (
+            "[events.a]\nsensor = \"swing\"\ndirection = \"up\"",
+            "events.a.direction: expected one of either, rising, falling, found `up`",
+        ),
+        (
+            "[events.a]\nsensor = \"swing\"\nthen = \"halt\"",
+            "events.a.then: expected one of record, stop, found `halt`",
+        ),
+        (
+            "[events.a]\nsensor = \"swing\"\nvalue = nan",
+            "events.a.value: expected a finite number, found NaN",
+        ),
+        ("[events.a]\nsensor = \"swing\"\nlevel = 1.0", "events.a: unknown field `level`"),
+    ] {
+        let said = scene("step = 1e-3", events).err().unwrap_or_default();
+        assert!(said.contains(expected), "{events}: {said}");
+    }
+}

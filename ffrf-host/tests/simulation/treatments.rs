@@ -79,8 +79,15 @@ fn refusal(simulation: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     match scene(folder.path(), &slider_crank(simulation)) {
         Ok(_) => panic!("accepted: {simulation}"),
-        Err(error) => error.to_string(),
+        Err(error) => without_line(&error),
     }
+}
+
+/// The message after its line, which must be one.
+fn without_line(error: &SceneError) -> String {
+    let SceneError::Line { line, error } = error else { panic!("no line: {error}") };
+    assert!(*line > 0);
+    error.to_string()
 }
 
 #[test]
@@ -184,7 +191,7 @@ fn the_exponential_step_is_refused_where_a_joint_holds_what_modes_move() {
     let folder = tempfile::tempdir().unwrap();
     let Err(error) = scene(folder.path(), &text) else { panic!("accepted") };
     assert_eq!(
-        error.to_string(),
+        without_line(&error),
         "simulation.integrator: expected joints at points that modes do not move, and diagonal modal matrices, with \
          `integrator = \"exponential\"`, found joint `pin`, which holds what modes move"
     );
@@ -313,4 +320,67 @@ fn implicit_methods_pass_a_singular_position_or_say_that_they_do_not() {
     let conserving = scene(folder.path(), &conserving).unwrap();
     let refused = simulate(&conserving, None, |_| Ok(()), |_| ()).unwrap_err().to_string();
     assert!(refused.contains("the step is not solved after 30 iterations"), "{refused}");
+}
+
+#[test]
+fn samples_do_not_change_the_motion() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut simulations: Vec<String> =
+        Integrator::ALL.iter().map(|(name, _)| format!("step = 1e-3\nintegrator = \"{name}\"")).collect();
+    simulations.push("tolerance = 1e-9".to_owned());
+    for simulation in simulations {
+        let runs = ["0.02", "0.0137", "0.2"].map(|output| {
+            let text =
+                slider_crank(&simulation).replace("output_step = 0.02", &format!("output_step = {output}"));
+            run(&scene(folder.path(), &text).unwrap(), None)
+        });
+        for (samples, summary) in &runs {
+            assert_eq!(summary.end, runs[0].1.end, "{simulation}");
+            assert_eq!(samples.last(), runs[0].0.last(), "{simulation}");
+        }
+        // a sample between two steps is as good as one at a step
+        let [(coarse, _), (odd, _), _] = &runs;
+        let at = |time: f64| {
+            let before = coarse.iter().rposition(|sample| sample.time <= time).unwrap();
+            let (one, next) = (&coarse[before], &coarse[before + 1]);
+            let share = (time - one.time) / (next.time - one.time);
+            one.values[0] * (1.0 - share) + next.values[0] * share
+        };
+        for sample in &odd[1..odd.len() - 1] {
+            assert!((sample.values[0] - at(sample.time)).abs() < 1e-2, "{simulation}: {}", sample.time);
+        }
+    }
+}
+
+#[test]
+fn a_run_continued_between_two_steps_is_the_run_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    for simulation in [
+        "step = 1e-3",
+        "step = 1e-3\nintegrator = \"generalized_alpha\"",
+        "step = 1e-3\nintegrator = \"energy_momentum\"",
+        "tolerance = 1e-9",
+    ] {
+        let whole = scene(folder.path(), &slider_crank(simulation)).unwrap();
+        let part = slider_crank(simulation).replace("duration = 0.2", "duration = 0.0873");
+        let part = scene(folder.path(), &part).unwrap();
+        let saved = serde_json::to_string(&run(&part, None).1.end).unwrap();
+        let (samples, one) = run(&whole, None);
+        let (rest, other) = run(&whole, Some(&serde_json::from_str(&saved).unwrap()));
+        assert_eq!(samples.last(), rest.last(), "{simulation}");
+        assert_eq!(one.end, other.end, "{simulation}");
+        assert_eq!(rest[0].time, 0.0873);
+        assert_eq!(rest[1], samples[5], "{simulation}");
+    }
+}
+
+#[test]
+fn steps_longer_than_the_run_are_one_step() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = slider_crank("step = 1.0\nintegrator = \"linearly_implicit\"")
+        .replace("duration = 0.2", "duration = 0.02")
+        .replace("output_step = 0.02", "output_step = 0.002");
+    let long = scene(folder.path(), &text).unwrap();
+    let (samples, summary) = run(&long, None);
+    assert_eq!((samples.len(), summary.advance.steps, summary.advance.side_steps), (11, 0, 10));
 }

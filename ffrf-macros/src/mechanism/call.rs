@@ -1,9 +1,10 @@
 //! What sections are written in: `name: kind(end, end, option: value)`, or such a call for each index of a range.
 
 use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::quote;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
-use syn::spanned::Spanned;
+use syn::spanned::Spanned as _;
 use syn::{Ident, LitInt, Token, braced, parenthesized};
 
 /// One entry of a section.
@@ -21,6 +22,49 @@ pub(super) struct Range {
     pub(super) end: usize,
     pub(super) span: Span,
 }
+
+impl Range {
+    /// Number of indices.
+    pub(super) fn len(&self) -> usize {
+        self.end - self.start
+    }
+
+    /// Gives the variable its value for the `number`-th index.
+    pub(super) fn bind(&self) -> TokenStream {
+        let (variable, start) = (&self.variable, self.start);
+        quote! { let #variable = #start + number; }
+    }
+
+    /// An array with what `one` says for each index.
+    pub(super) fn array(&self, one: &TokenStream) -> TokenStream {
+        let bind = self.bind();
+        quote! { ::core::array::from_fn(|number| { #bind #one }) }
+    }
+
+    /// The name of each entry of this range.
+    pub(super) fn names(&self, name: &Ident) -> Vec<String> {
+        (self.start..self.end).map(|k| format!("{name}[{k}]")).collect()
+    }
+}
+
+/// An array over the indices of a range, or one value.
+pub(super) fn each(range: Option<&Range>, one: TokenStream) -> TokenStream {
+    range.map_or_else(|| one.clone(), |range| range.array(&one))
+}
+
+/// The type of [`each`].
+pub(super) fn each_type(range: Option<&Range>, one: TokenStream) -> TokenStream {
+    match range {
+        Some(range) => {
+            let count = range.len();
+            quote! { [#one; #count] }
+        }
+        None => one,
+    }
+}
+
+/// The kind of force whose one argument is a function, commas and colons included.
+pub(super) const USER: &str = "user";
 
 /// `kind(argument, ..., option: value, ...)`
 pub(super) struct Call {
@@ -111,7 +155,7 @@ impl Parse for Entry {
         braced!(content in input);
         let call = content.parse()?;
         if !content.is_empty() {
-            return Err(content.error("expected one joint for each index"));
+            return Err(content.error("expected one entry for each index"));
         }
         Ok(Self { name, range: Some(Range { variable, start, end, span }), call })
     }
@@ -123,6 +167,14 @@ impl Parse for Call {
         let content;
         parenthesized!(content in input);
         let (mut arguments, mut options) = (Vec::new(), Vec::new());
+        if kind == USER && !content.is_empty() {
+            let function: syn::Expr = content.parse()?;
+            let span = function.span();
+            arguments.push(Argument { tokens: quote! { #function }, span });
+            if !content.is_empty() {
+                content.parse::<Token![,]>()?;
+            }
+        }
         while !content.is_empty() {
             if content.peek(Ident) && content.peek2(Token![:]) && !content.peek2(Token![::]) {
                 let key: Ident = content.parse()?;

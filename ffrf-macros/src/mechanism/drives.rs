@@ -5,29 +5,56 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
 
-use super::call::Entry;
+use super::call::{Entry, Range};
 use super::joints::Joint;
+use super::named_joint::NamedJoint;
 use super::scalar::Scalar;
 use crate::values::Mistakes;
 
-/// The angle or travel of a joint as a function of time.
+/// The angle or travel of a joint as a function of time, or one for each index of a range.
 pub(super) struct Drive {
     pub(super) name: Ident,
-    /// The joint among those written.
-    pub(super) joint: usize,
+    pub(super) range: Option<Range>,
+    /// The joint or joints.
+    pub(super) of: NamedJoint,
     /// `Angle` or `Travel`.
     pub(super) type_name: &'static str,
     /// The function as an expression.
     pub(super) function: TokenStream,
-    /// Index of its row among all connections.
+    /// Index of its row among all connections, of the first of them.
     pub(super) first: usize,
 }
 
 impl Drive {
-    /// What the order of elimination must know of it.
-    pub(super) fn topology(&self, joints: &[Joint]) -> JointTopology {
-        let [first, second] = &joints[self.joint].ends;
-        JointTopology { rows: 1, ends: [first.body(0), second.body(0)] }
+    /// Number of drives.
+    pub(super) fn len(&self) -> usize {
+        self.range.as_ref().map_or(1, Range::len)
+    }
+
+    /// What the order of elimination must know of each.
+    pub(super) fn topology(&self, joints: &[Joint]) -> impl Iterator<Item = JointTopology> {
+        let [first, second] = &self.of.of(joints).ends;
+        self.of.elements.iter().map(move |element| JointTopology {
+            rows: 1,
+            ends: [first.body(*element), second.body(*element)],
+        })
+    }
+
+    /// The name of each.
+    pub(super) fn names(&self) -> Vec<String> {
+        self.range.as_ref().map_or_else(|| vec![self.name.to_string()], |range| range.names(&self.name))
+    }
+
+    /// The connection of the drive of joint `joint`'s `element`, if it is one of these.
+    pub(super) fn connection(&self, joint: usize, element: usize) -> Option<usize> {
+        let found = self.of.elements.iter().position(|own| *own == element);
+        found.filter(|_| self.of.joint == joint).map(|k| self.first + k)
+    }
+
+    /// Whether a joint is driven by both in the same way.
+    fn meets(&self, joint: &NamedJoint, type_name: &str) -> bool {
+        let same = |element: &usize| joint.elements.contains(element);
+        self.of.joint == joint.joint && self.type_name == type_name && self.of.elements.iter().any(same)
     }
 }
 
@@ -42,9 +69,6 @@ pub(super) fn drive(
     mistakes: &mut Mistakes,
 ) -> Option<Drive> {
     let Entry { name, range, call } = entry;
-    if let Some(range) = range {
-        mistakes.add(range.span, "a drive belongs to one joint".to_owned());
-    }
     if !KINDS.iter().any(|kind| call.kind == kind) {
         let message = format!("unknown kind of drive `{}`, expected one of: {}", call.kind, KINDS.join(", "));
         mistakes.add(call.kind.span(), message);
@@ -54,13 +78,9 @@ pub(super) fn drive(
         mistakes.push(error);
     }
     let [argument] = mistakes.keep(call.arguments("one joint"))?;
-    let joint = mistakes.keep(find(argument, joints))?;
-    let found = &joints[joint];
+    let of = mistakes.keep(NamedJoint::find(argument, joints, range.as_ref()))?;
+    let found = of.of(joints);
     let is_angle = call.kind == KINDS[0];
-    if found.range.is_some() {
-        mistakes.add(argument.span, format!("`{}` are several joints, a drive belongs to one", found.name));
-        return None;
-    }
     if !(if is_angle { found.known.has_angle } else { found.known.has_travel }) {
         let message = format!(
             "the {} of `{}`, a {} joint, cannot be driven: `angle` is for revolute and cylindrical joints, `position` for prismatic, cylindrical and in_line ones",
@@ -70,7 +90,9 @@ pub(super) fn drive(
         return None;
     }
     let type_name = if is_angle { "Angle" } else { "Travel" };
-    if earlier.iter().any(|other| other.joint == joint && other.type_name == type_name) {
+    let twice =
+        |elements: &[usize]| elements.iter().enumerate().any(|(k, element)| elements[..k].contains(element));
+    if twice(&of.elements) || earlier.iter().any(|other| other.meets(&of, type_name)) {
         mistakes.add(argument.span, format!("the {} of `{}` is driven twice", call.kind, found.name));
         return None;
     }
@@ -95,15 +117,5 @@ pub(super) fn drive(
             return None;
         }
     };
-    Some(Drive { name, joint, type_name, function, first: 0 })
-}
-
-/// The joint that is named by an argument.
-pub(super) fn find(argument: &super::call::Argument, joints: &[Joint]) -> syn::Result<usize> {
-    let written = argument.tokens.to_string();
-    joints.iter().position(|joint| joint.name == written).ok_or_else(|| {
-        let known: Vec<String> = joints.iter().map(|joint| format!("`{}`", joint.name)).collect();
-        let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
-        syn::Error::new(argument.span, format!("there is no joint `{written}`; there are: {known}"))
-    })
+    Some(Drive { name, range, of, type_name, function, first: 0 })
 }

@@ -30,7 +30,7 @@ pub(super) struct Joint {
 impl Joint {
     /// Number of joints.
     pub(super) fn len(&self) -> usize {
-        self.range.as_ref().map_or(1, |range| range.end - range.start)
+        self.range.as_ref().map_or(1, Range::len)
     }
 
     /// What the order of elimination must know of each.
@@ -43,7 +43,7 @@ impl Joint {
     pub(super) fn names(&self) -> Vec<String> {
         match &self.range {
             None => vec![self.name.to_string()],
-            Some(range) => (range.start..range.end).map(|k| format!("{}[{k}]", self.name)).collect(),
+            Some(range) => range.names(&self.name),
         }
     }
 }
@@ -74,7 +74,7 @@ pub(super) fn joint(
     let axes = mistakes.keep(Axes::of(&call, known.name == "universal"));
     let [Some(first), Some(second)] = ends else { return None };
     let ends = [first, second];
-    for k in 0..range.as_ref().map_or(1, |range| range.end - range.start) {
+    for k in 0..range.as_ref().map_or(1, Range::len) {
         let message = match (ends[0].body(k), ends[1].body(k)) {
             (None, None) => "both ends of this joint are on the ground".to_owned(),
             (Some(one), Some(other)) if one == other => {

@@ -3,17 +3,20 @@
 mod axis;
 mod bodies;
 mod call;
+mod controls;
 mod drives;
 mod emit;
 mod ends;
 mod forces;
 mod index;
 mod joints;
+mod named_joint;
 mod scalar;
 mod sensors;
 mod spec;
 #[cfg(test)]
 mod tests;
+mod treatment;
 
 use proc_macro2::TokenStream;
 

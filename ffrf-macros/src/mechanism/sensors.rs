@@ -5,16 +5,18 @@ use quote::quote;
 use syn::Ident;
 
 use super::bodies::Body;
-use super::call::Entry;
-use super::drives::{Drive, find};
+use super::call::{Entry, Range};
+use super::drives::Drive;
 use super::ends::end;
 use super::joints::Joint;
+use super::named_joint::NamedJoint;
 use super::scalar::Scalar;
 use crate::values::Mistakes;
 
-/// A sensor.
+/// A sensor, or one for each index of a range.
 pub(super) struct Sensor {
     pub(super) name: Ident,
+    pub(super) range: Option<Range>,
     pub(super) measured: Measured,
 }
 
@@ -24,10 +26,10 @@ pub(super) enum Measured {
     Motion { field: Ident, at: TokenStream },
     /// The acceleration of an attachment.
     Acceleration { at: TokenStream },
-    /// The angle of a joint.
-    Angle { connection: usize },
-    /// Force or moment of a joint and its drives.
-    Reaction { field: &'static str, connections: Vec<usize> },
+    /// The angle of each joint.
+    Angle { connections: Vec<usize> },
+    /// Force or moment of each joint and its drives.
+    Reaction { field: &'static str, connections: Vec<Vec<usize>> },
 }
 
 const KINDS: [&str; 7] =
@@ -43,9 +45,6 @@ pub(super) fn sensor(
     mistakes: &mut Mistakes,
 ) -> Option<Sensor> {
     let Entry { name, range, call } = entry;
-    if let Some(range) = range {
-        mistakes.add(range.span, "sensors are written one by one".to_owned());
-    }
     let kind = call.kind.to_string();
     if !KINDS.contains(&kind.as_str()) {
         let message = format!("unknown kind of sensor `{kind}`, expected one of: {}", KINDS.join(", "));
@@ -60,21 +59,17 @@ pub(super) fn sensor(
     let [argument] = mistakes.keep(call.arguments(expected))?;
     if !of_joint {
         let t = scalar.name();
-        let at = mistakes.keep(end(argument, bodies, None))?;
+        let at = mistakes.keep(end(argument, bodies, range.as_ref()))?;
         let straight = quote! { ::ffrf::nalgebra::UnitQuaternion::<#t>::identity() };
         let at = at.attachment(bodies, scalar, &straight);
         let measured = match kind.as_str() {
             "acceleration" => Measured::Acceleration { at },
             _ => Measured::Motion { field: call.kind, at },
         };
-        return Some(Sensor { name, measured });
+        return Some(Sensor { name, range, measured });
     }
-    let joint = mistakes.keep(find(argument, joints))?;
-    let found = &joints[joint];
-    if found.range.is_some() {
-        mistakes.add(argument.span, format!("`{}` are several joints, a sensor belongs to one", found.name));
-        return None;
-    }
+    let joint = mistakes.keep(NamedJoint::find(argument, joints, range.as_ref()))?;
+    let found = joint.of(joints);
     let measured = match kind.as_str() {
         "angle" if !found.known.has_angle => {
             let message = format!(
@@ -84,13 +79,16 @@ pub(super) fn sensor(
             mistakes.add(argument.span, message);
             return None;
         }
-        "angle" => Measured::Angle { connection: found.first },
+        "angle" => Measured::Angle { connections: joint.connections(joints) },
         _ => {
-            let of_drives = drives.iter().filter(|drive| drive.joint == joint).map(|drive| drive.first);
-            let connections = std::iter::once(found.first).chain(of_drives).collect();
+            let with_drives = |(element, connection): (&usize, usize)| {
+                let of_drives = drives.iter().filter_map(|drive| drive.connection(joint.joint, *element));
+                std::iter::once(connection).chain(of_drives).collect()
+            };
+            let connections = joint.elements.iter().zip(joint.connections(joints)).map(with_drives).collect();
             let field = if kind == "reaction_force" { "force" } else { "moment" };
             Measured::Reaction { field, connections }
         }
     };
-    Some(Sensor { name, measured })
+    Some(Sensor { name, range, measured })
 }

@@ -7,11 +7,13 @@ use syn::Ident;
 
 use super::bodies::{Body, GROUND, bodies};
 use super::call::{Entry, entries};
+use super::controls::{Control, controls};
 use super::drives::{Drive, drive};
 use super::forces::{Force, force};
 use super::joints::{Joint, joint};
 use super::scalar::Scalar;
 use super::sensors::{Sensor, sensor};
+use super::treatment::treatment;
 use crate::parse::{Field, Input};
 use crate::values::Mistakes;
 
@@ -20,6 +22,9 @@ pub(super) struct Spec {
     pub(super) scalar: Scalar,
     pub(super) bodies: Vec<Body>,
     pub(super) gravity: TokenStream,
+    pub(super) controls: Vec<Control>,
+    /// How joints are kept, as an expression.
+    pub(super) treatment: TokenStream,
     pub(super) joints: Vec<Joint>,
     pub(super) drives: Vec<Drive>,
     pub(super) forces: Vec<Force>,
@@ -30,7 +35,8 @@ pub(super) struct Spec {
     pub(super) has_loops: bool,
 }
 
-const KEYS: [&str; 7] = ["bodies", "gravity", "joints", "drives", "forces", "sensors", "scalar"];
+const KEYS: [&str; 9] =
+    ["bodies", "gravity", "joints", "constraints", "controls", "drives", "forces", "sensors", "scalar"];
 
 /// Names of fields and methods that every mechanism has.
 const TAKEN: [&str; 9] = [
@@ -68,6 +74,10 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
     if bodies.is_empty() && mistakes.0.is_none() {
         mistakes.add(field.key.span(), "a mechanism has at least one body".to_owned());
     }
+    let controls =
+        find("controls").and_then(|field| mistakes.keep(controls(field, scalar))).unwrap_or_default();
+    let treatment = find("constraints").and_then(|field| mistakes.keep(treatment(field, scalar)));
+    let treatment = treatment.unwrap_or_else(|| quote! { ::ffrf::mechanism::Treatment::projection() });
     let section = |key: &str, mistakes: &mut Mistakes| -> Vec<Entry> {
         find(key).and_then(|field| mistakes.keep(entries(field.value.clone()))).unwrap_or_default()
     };
@@ -81,6 +91,7 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         [
             ("body", of_bodies),
             ("joint", names(&joint_entries)),
+            ("control", controls.iter().map(|control| control.name.clone()).collect()),
             ("drive", names(&drive_entries)),
             ("force", names(&force_entries)),
             ("sensor", names(&sensor_entries)),
@@ -111,7 +122,20 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
     let (topology, has_loops) = topology(&bodies, &joints, &drives, connections);
     let plan = MechanismPlan::new(&topology)
         .map_err(|error| syn::Error::new(input.name.span(), error.to_string()))?;
-    Ok(Spec { scalar, bodies, gravity, joints, drives, forces, sensors, connections, plan, has_loops })
+    Ok(Spec {
+        scalar,
+        bodies,
+        gravity,
+        controls,
+        treatment,
+        joints,
+        drives,
+        forces,
+        sensors,
+        connections,
+        plan,
+        has_loops,
+    })
 }
 
 fn scalar(field: &Field) -> syn::Result<Scalar> {
@@ -127,7 +151,7 @@ fn scalar(field: &Field) -> syn::Result<Scalar> {
 }
 
 /// Names are given once: those of a section, and those that become fields or methods.
-fn check_names(sections: [(&str, Vec<Ident>); 5], mistakes: &mut Mistakes) {
+fn check_names(sections: [(&str, Vec<Ident>); 6], mistakes: &mut Mistakes) {
     let mut seen: Vec<(&str, &Ident)> = Vec::new();
     for (kind, names) in &sections {
         for name in names {
@@ -158,9 +182,9 @@ fn number(joints: &mut [Joint], drives: &mut [Drive]) -> usize {
     for (index, joint) in joints.iter_mut().enumerate() {
         joint.first = next;
         next += joint.len();
-        for drive in drives.iter_mut().filter(|drive| drive.joint == index) {
+        for drive in drives.iter_mut().filter(|drive| drive.of.joint == index) {
             drive.first = next;
-            next += 1;
+            next += drive.len();
         }
     }
     next
@@ -194,8 +218,8 @@ fn topology(bodies: &[Body], joints: &[Joint], drives: &[Drive], connections: us
     let mut all = Vec::with_capacity(connections);
     for (index, joint) in joints.iter().enumerate() {
         all.extend(joint.topology());
-        let own = drives.iter().filter(|drive| drive.joint == index);
-        all.extend(own.map(|drive| drive.topology(joints)));
+        let own = drives.iter().filter(|drive| drive.of.joint == index);
+        all.extend(own.flat_map(|drive| drive.topology(joints)));
     }
     let has_loops = alone.check().is_ok() && alone.has_loops();
     (Topology { flexible, joints: all }, has_loops)

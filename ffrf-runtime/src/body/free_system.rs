@@ -164,21 +164,26 @@ where
     L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
     T: RealField + Copy,
 {
-    fn vibration_rates(&self, state: &Self::State) -> Result<Self::Increment, StepError> {
-        Oscillators::new(self.body).map(|modes| modes.rates(state)).ok_or(StepError::ModesNotSeparate)
+    type Modes = Oscillators<B::Modal, T>;
+
+    fn modes(&self, step: T) -> Result<Self::Modes, StepError> {
+        Oscillators::new(self.body, step).ok_or(StepError::ModesNotSeparate)
     }
 
-    fn free_vibration(&self, state: &Self::State, step: T) -> Result<Self::Increment, StepError> {
-        Oscillators::new(self.body).map(|modes| modes.free(state, step)).ok_or(StepError::ModesNotSeparate)
+    fn vibration_rates(&self, modes: &Self::Modes, state: &Self::State) -> Self::Increment {
+        modes.rates(state)
+    }
+
+    fn free_vibration(&self, modes: &Self::Modes, state: &Self::State) -> Self::Increment {
+        modes.free(state)
     }
 
     fn forced_vibration(
         &self,
+        modes: &Self::Modes,
         rates: &Self::Increment,
-        step: T,
         forcing: Forcing,
-    ) -> Result<Self::Increment, StepError> {
-        let modes = Oscillators::new(self.body).ok_or(StepError::ModesNotSeparate)?;
-        Ok(modes.forced(rates, step, forcing))
+    ) -> Self::Increment {
+        modes.forced(rates, forcing)
     }
 }

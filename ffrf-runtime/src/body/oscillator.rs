@@ -77,21 +77,22 @@ impl<T: RealField + Copy> Oscillator<T> {
     }
 }
 
-/// The modes of a body, each on its own: ω² and d.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Oscillators<V> {
+/// The modes of a body, each on its own, with their answers within one step size.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Oscillators<V, T = f64> {
     stiffness: V,
     damping: V,
+    impulse: V,
+    constant: V,
+    ramp: V,
+    step: T,
 }
 
-impl<V> Oscillators<V> {
+impl<V: ModalVector<T>, T: RealField + Copy> Oscillators<V, T> {
+    /// The answers within `step` (s).
+    ///
     /// `None` if modal mass, stiffness or damping are not diagonal, or the modal mass is not positive.
-    pub fn new<B, T>(body: &B) -> Option<Self>
-    where
-        B: FlexibleBody<T, Modal = V>,
-        V: ModalVector<T>,
-        T: RealField + Copy,
-    {
+    pub fn new<B: FlexibleBody<T, Modal = V>>(body: &B, step: T) -> Option<Self> {
         let (ModalMatrix::Diagonal(mass), ModalMatrix::Diagonal(stiffness), ModalMatrix::Diagonal(damping)) =
             (body.modal_mass(), body.stiffness(), body.damping())
         else {
@@ -105,22 +106,33 @@ impl<V> Oscillators<V> {
             }
             *entry = T::one() / *entry;
         }
-        Some(Self { stiffness: stiffness.times(&inverse), damping: damping.times(&inverse) })
+        let (stiffness, damping) = (stiffness.times(&inverse), damping.times(&inverse));
+        let [mut impulse, mut constant, mut ramp] = [(); 3].map(|()| inverse.clone());
+        let answers = impulse.as_mut_slice().iter_mut().zip(constant.as_mut_slice()).zip(ramp.as_mut_slice());
+        for ((stiffness, damping), ((impulse, constant), ramp)) in
+            stiffness.as_slice().iter().zip(damping.as_slice()).zip(answers)
+        {
+            let oscillator = Oscillator::new(*stiffness, *damping, step);
+            (*impulse, *constant, *ramp) = (oscillator.impulse, oscillator.constant, oscillator.ramp);
+        }
+        Some(Self { stiffness, damping, impulse, constant, ramp, step })
     }
 
-    fn each<T: RealField + Copy>(&self, step: T) -> impl Iterator<Item = Oscillator<T>>
-    where
-        V: ModalVector<T>,
-    {
+    fn each(&self) -> impl Iterator<Item = Oscillator<T>> + '_ {
+        let answers = self.impulse.as_slice().iter().zip(self.constant.as_slice()).zip(self.ramp.as_slice());
         let pairs = self.stiffness.as_slice().iter().zip(self.damping.as_slice());
-        pairs.map(move |(stiffness, damping)| Oscillator::new(*stiffness, *damping, step))
+        pairs.zip(answers).map(|((stiffness, damping), ((impulse, constant), ramp))| Oscillator {
+            stiffness: *stiffness,
+            damping: *damping,
+            impulse: *impulse,
+            constant: *constant,
+            ramp: *ramp,
+            time: self.step,
+        })
     }
 
     /// The rates of free vibration in `state`; all else is at rest.
-    pub fn rates<T: RealField + Copy>(&self, state: &State<V, T>) -> Increment<V, T>
-    where
-        V: ModalVector<T>,
-    {
+    pub fn rates(&self, state: &State<V, T>) -> Increment<V, T> {
         let mut rates = Increment::zeros(&state.modal_coordinates);
         rates.modal_coordinates = state.modal_rates.clone();
         rates.modal_rates.add_scaled(-T::one(), &self.stiffness.times(&state.modal_coordinates));
@@ -129,41 +141,28 @@ impl<V> Oscillators<V> {
     }
 
     /// The change in free vibration from `state`; all else is at rest.
-    pub fn free<T: RealField + Copy>(&self, state: &State<V, T>, step: T) -> Increment<V, T>
-    where
-        V: ModalVector<T>,
-    {
+    pub fn free(&self, state: &State<V, T>) -> Increment<V, T> {
         let mut change = Increment::zeros(&state.modal_coordinates);
         let starts = state.modal_coordinates.as_slice().iter().zip(state.modal_rates.as_slice());
         let places =
             change.modal_coordinates.as_mut_slice().iter_mut().zip(change.modal_rates.as_mut_slice());
-        for ((oscillator, (place, rate)), (place_change, rate_change)) in
-            self.each(step).zip(starts).zip(places)
+        for ((oscillator, (place, rate)), (place_change, rate_change)) in self.each().zip(starts).zip(places)
         {
             [*place_change, *rate_change] = oscillator.free(*place, *rate);
         }
         change
     }
 
-    /// The change that rates cause within `step`: of the modes by their vibration, of all else by their integral.
-    pub fn forced<T: RealField + Copy>(
-        &self,
-        rates: &Increment<V, T>,
-        step: T,
-        forcing: Forcing,
-    ) -> Increment<V, T>
-    where
-        V: ModalVector<T>,
-    {
-        let mut change = rates.clone();
+    /// The change that rates cause within the step: of the modes by their vibration, of all else by their integral.
+    pub fn forced(&self, rates: &Increment<V, T>, forcing: Forcing) -> Increment<V, T> {
+        let (mut change, step) = (rates.clone(), self.step);
         change.scale(match forcing {
             Forcing::Constant => step,
             Forcing::Ramp => step * nalgebra::convert(0.5),
         });
         let places =
             change.modal_coordinates.as_mut_slice().iter_mut().zip(change.modal_rates.as_mut_slice());
-        for ((oscillator, force), (place, rate)) in
-            self.each(step).zip(rates.modal_rates.as_slice()).zip(places)
+        for ((oscillator, force), (place, rate)) in self.each().zip(rates.modal_rates.as_slice()).zip(places)
         {
             [*place, *rate] = match forcing {
                 Forcing::Constant => [*force * oscillator.constant, *force * oscillator.impulse],

@@ -3,7 +3,7 @@
 use nalgebra::{RealField, Vector3};
 
 use super::ForceElement;
-use crate::body::{MarkerMotion, Wrench};
+use crate::body::{MarkerMotion, MarkerStep, Wrench};
 
 /// A linear spring with a damper along the line between two points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +27,21 @@ impl<T: RealField + Copy> ForceElement<T> for Spring<T> {
         let direction = between / length;
         let rate = direction.dot(&(second.velocity - first.velocity));
         let pull = direction * (self.stiffness * (length - self.rest_length) + self.damping * rate);
+        let moment = Vector3::zeros();
+        [Wrench { force: pull, moment }, Wrench { force: -pull, moment }]
+    }
+
+    /// With f = (k (l̄ - rest) + d l̇) (b_0 + b_1) / (l_0 + l_1), the work f · Δb is that of the change of the energy.
+    fn wrenches_over(&self, first: &MarkerStep<T>, second: &MarkerStep<T>) -> [Wrench<T>; 2] {
+        let [begin, end] = [0, 1].map(|k| (second.ends[k].position - first.ends[k].position).norm());
+        let both = begin + end;
+        if both <= T::default_epsilon() {
+            return [Wrench::zero(); 2];
+        }
+        let (half, two): (T, T) = (nalgebra::convert(0.5), nalgebra::convert(2.0));
+        let direction = (second.mean.position - first.mean.position) * (two / both);
+        let rate = direction.dot(&(second.mean.velocity - first.mean.velocity));
+        let pull = direction * (self.stiffness * (both * half - self.rest_length) + self.damping * rate);
         let moment = Vector3::zeros();
         [Wrench { force: pull, moment }, Wrench { force: -pull, moment }]
     }

@@ -3,7 +3,7 @@
 use nalgebra::{RealField, Vector3};
 
 use super::ForceElement;
-use crate::body::{MarkerMotion, Wrench};
+use crate::body::{MarkerMotion, MarkerStep, Wrench};
 
 /// A spring with a damper about the z axis of the first triad, for joints that keep both z axes together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +23,31 @@ impl<T: RealField + Copy> ForceElement<T> for TorsionSpring<T> {
         let rate = axis.dot(&(second.angular_velocity - first.angular_velocity));
         let angle = self.turn(first, second);
         let moment = axis * (self.stiffness * angle + self.damping * rate);
+        let force = Vector3::zeros();
+        [Wrench { force, moment }, Wrench { force, moment: -moment }]
+    }
+
+    /// With s = y₁ · x₂ and c = x₁ · x₂ the angle changes by Δφ = atan2(N, D), N = c̄ Δs - s̄ Δc, D = c_0 c_1 + s_0 s_1, and Δs
+    /// and Δc by the rotation vectors of both ends exactly: so the work is that of the change of the energy.
+    fn wrenches_over(&self, first: &MarkerStep<T>, second: &MarkerStep<T>) -> [Wrench<T>; 2] {
+        let half: T = nalgebra::convert(0.5);
+        let places = [0, 1].map(|k| {
+            let (one, other) = (first.ends[k].axes(), second.ends[k].axes());
+            [one.column(1).dot(&other.column(0)), one.column(0).dot(&other.column(0))]
+        });
+        let [[s_0, c_0], [s_1, c_1]] = places;
+        let (numerator, denominator) = (s_1 * c_0 - s_0 * c_1, c_0 * c_1 + s_0 * s_1);
+        let turned = numerator.atan2(denominator);
+        let ratio = if numerator == T::zero() { T::one() / denominator } else { turned / numerator };
+        let angle = self.turn(&first.ends[0], &second.ends[0]) + turned * half;
+        let (one, other) = (first.mean.axes(), second.mean.axes());
+        let (x, y, axis): (Vector3<T>, Vector3<T>, Vector3<T>) =
+            (one.column(0).into(), one.column(1).into(), one.column(2).into());
+        let pointer: Vector3<T> = other.column(0).into();
+        let (s, c) = ((s_0 + s_1) * half, (c_0 + c_1) * half);
+        let gradient = pointer.cross(&(y * c - x * s)) * ratio;
+        let rate = axis.dot(&(second.mean.angular_velocity - first.mean.angular_velocity));
+        let moment = gradient * (self.stiffness * angle) + axis * (self.damping * rate);
         let force = Vector3::zeros();
         [Wrench { force, moment }, Wrench { force, moment: -moment }]
     }

@@ -3,8 +3,9 @@
 //! The equations between beginning and end of a step are those of [`ConservingSystem`]; for a flexible body they stand in
 //! `body/span.rs` with their sources. Joints are met at the end of each step (index 3), their reactions do no work over the
 //! step, gravity and elastic forces do exactly that of the change of their potentials. What is kept: energy, of mechanisms
-//! under gravity with joints that do not depend on time, and momentum of free bodies, both to what the iteration leaves.
-//! Other force elements act at the means of both ends: what springs do has the order of the method. Of joints, those that
+//! under gravity and force elements that store energy, with joints that do not depend on time, and momentum of free bodies,
+//! both to what the iteration leaves. Springs, torsion springs and bushings have discrete gradients of their own
+//! (`ForceElement::wrenches_over`); dampers and other forces act in the means of both ends, to order 2. Of joints, those that
 //! hold some rotations and leave others by quaternions (`generic` with one or two rotations) do work of the order h².
 
 use nalgebra::RealField;

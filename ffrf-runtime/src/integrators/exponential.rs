@@ -14,6 +14,7 @@
 
 use nalgebra::RealField;
 
+use super::step::checked_step_size;
 use super::system::{begin, finish};
 use super::{StepError, StepReport, System, VectorSpace};
 
@@ -28,48 +29,79 @@ pub enum Forcing {
 
 /// A system whose modes vibrate each on its own, but for what is not stiff.
 pub trait ExponentialSystem<T: RealField + Copy>: System<T> {
+    /// The answers of all modes within one step size.
+    type Modes;
+
+    /// The answers within `step` (s).
+    ///
+    /// Errors: [`StepError::ModesNotSeparate`].
+    fn modes(&self, step: T) -> Result<Self::Modes, StepError>;
     /// L y: the rates of free vibration of each mode in `state`; zero elsewhere.
-    ///
-    /// Errors: [`StepError::ModesNotSeparate`].
-    fn vibration_rates(&self, state: &Self::State) -> Result<Self::Increment, StepError>;
+    fn vibration_rates(&self, modes: &Self::Modes, state: &Self::State) -> Self::Increment;
     /// (e^{h L} - 1) y: the change in free vibration from `state`; zero elsewhere.
-    ///
-    /// Errors: [`StepError::ModesNotSeparate`].
-    fn free_vibration(&self, state: &Self::State, step: T) -> Result<Self::Increment, StepError>;
+    fn free_vibration(&self, modes: &Self::Modes, state: &Self::State) -> Self::Increment;
     /// h φ_1(h L) `rates`, or h φ_2(h L) `rates`.
-    ///
-    /// Errors: [`StepError::ModesNotSeparate`].
     fn forced_vibration(
         &self,
+        modes: &Self::Modes,
         rates: &Self::Increment,
-        step: T,
         forcing: Forcing,
-    ) -> Result<Self::Increment, StepError>;
+    ) -> Self::Increment;
 }
 
-/// One exponential step, order 2: free vibration is exact for any h ω.
+/// The exponential step of one size: what the modes answer within it is computed once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exponential<M, T = f64> {
+    modes: M,
+    step: T,
+}
+
+impl<M, T: RealField + Copy> Exponential<M, T> {
+    /// For steps of this size. Units: s.
+    ///
+    /// Errors: [`StepError::StepSize`]; [`StepError::ModesNotSeparate`] where joints hold what modes move, or where modal mass,
+    /// stiffness or damping are not diagonal.
+    pub fn new<S: ExponentialSystem<T, Modes = M>>(system: &S, step: T) -> Result<Self, StepError> {
+        let step = checked_step_size(step)?;
+        Ok(Self { modes: system.modes(step)?, step })
+    }
+
+    /// One step, order 2: free vibration is exact for any h ω.
+    ///
+    /// Two evaluations of the accelerations; no allocation, bounded work. The error estimate is the difference to the method
+    /// of order one, a. Source: see the module's text, Cox and Matthews (2002).
+    ///
+    /// Units: `time` s. Errors: see [`StepError`].
+    pub fn step<S: ExponentialSystem<T, Modes = M>>(
+        &self,
+        system: &S,
+        state: &S::State,
+        time: T,
+    ) -> Result<(S::State, StepReport<T>), StepError> {
+        let h = begin(system, state, self.step)?;
+        let modes = &self.modes;
+        let mut first = system.rates(time, state, &system.no_change(state))?;
+        first.add_scaled(-T::one(), &system.vibration_rates(modes, state));
+        let mut whole = system.free_vibration(modes, state);
+        whole.add_scaled(T::one(), &system.forced_vibration(modes, &first, Forcing::Constant));
+
+        let mut change = system.rates(time + h, state, &whole)?;
+        change.add_scaled(-T::one(), &system.vibration_rates(modes, &system.retract(state, &whole)));
+        change.add_scaled(-T::one(), &first);
+        let error = system.forced_vibration(modes, &change, Forcing::Ramp);
+        whole.add_scaled(T::one(), &error);
+        finish(system, time + h, state, &whole, &error, None)
+    }
+}
+
+/// One [`Exponential`] step, with the answers of the modes made for it; where steps are equal, keep those.
 ///
-/// Two evaluations of the accelerations; no allocation, bounded work. The error estimate is the difference to the method of
-/// order one, a. Source: see the module's text, Cox and Matthews (2002).
-///
-/// Units: `time`, `step` s. Errors: see [`StepError`]; [`StepError::ModesNotSeparate`] where joints hold what modes move,
-/// or where modal mass, stiffness or damping are not diagonal.
+/// Units: `time`, `step` s. Errors: see [`Exponential::new`] and [`Exponential::step`].
 pub fn step_exponential<S: ExponentialSystem<T>, T: RealField + Copy>(
     system: &S,
     state: &S::State,
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
-    let h = begin(system, state, step)?;
-    let mut first = system.rates(time, state, &system.no_change(state))?;
-    first.add_scaled(-T::one(), &system.vibration_rates(state)?);
-    let mut whole = system.free_vibration(state, h)?;
-    whole.add_scaled(T::one(), &system.forced_vibration(&first, h, Forcing::Constant)?);
-
-    let mut change = system.rates(time + h, state, &whole)?;
-    change.add_scaled(-T::one(), &system.vibration_rates(&system.retract(state, &whole))?);
-    change.add_scaled(-T::one(), &first);
-    let error = system.forced_vibration(&change, h, Forcing::Ramp)?;
-    whole.add_scaled(T::one(), &error);
-    finish(system, time + h, state, &whole, &error, None)
+    Exponential::new(system, step)?.step(system, state, time)
 }

@@ -15,7 +15,7 @@ pub use dormand_prince::{
     ControlledStep, DenseOutput, step_dormand_prince, try_dormand_prince, try_dormand_prince_dense,
 };
 pub use energy_momentum::EnergyMomentum;
-pub use exponential::{ExponentialSystem, Forcing, step_exponential};
+pub use exponential::{Exponential, ExponentialSystem, Forcing, step_exponential};
 pub use generalised_alpha::{AlphaMemory, GeneralisedAlpha};
 pub use linearly_implicit::step_linearly_implicit;
 pub use linearly_implicit_euler::step_linearly_implicit_euler;

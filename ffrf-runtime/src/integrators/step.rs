@@ -103,7 +103,7 @@ pub enum StepError {
 
 impl StepError {
     /// The iterations of an implicit step have ended with this correction over what was tolerated.
-    pub(super) fn not_converged<T: RealField + Copy>(iterations: usize, residual: T) -> Self {
+    pub(crate) fn not_converged<T: RealField + Copy>(iterations: usize, residual: T) -> Self {
         Self::NotConverged { iterations, residual: nalgebra::try_convert(residual).unwrap_or(f64::NAN) }
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{Connection, ImplicitTerms, Level, Plan, Ports, Regularisation, Storage, Target};
+use super::{Connection, ImplicitTerms, JointFriction, Level, Plan, Ports, Regularisation, Storage, Target};
 use crate::integrators::{Forcing, LocalError, Tolerances, VectorSpace};
 
 /// How constraints are kept while time advances.
@@ -54,6 +54,8 @@ pub trait Assembly<T: RealField + Copy> {
     type State: Clone;
     /// A change of all states.
     type Increment: VectorSpace<T>;
+    /// The answers of all modes within one step size; `()` where they do not vibrate each on its own.
+    type Modes;
     /// All bodies in one state.
     type Ports<'a>: Ports<T>
     where
@@ -87,6 +89,11 @@ pub trait Assembly<T: RealField + Copy> {
     fn drive(&self, joint: usize, time: T) -> [T; 3];
     /// Adds the forces at `time`.
     fn load(&self, time: T, ports: &mut Self::Ports<'_>);
+    /// Friction that follows reactions, counted from zero without gaps.
+    fn friction(&self, index: usize) -> Option<JointFriction<T>> {
+        let _ = index;
+        None
+    }
     /// How constraints are kept.
     fn treatment(&self) -> Treatment<T>;
     /// How redundant rows are dealt with.
@@ -116,25 +123,31 @@ pub trait Assembly<T: RealField + Copy> {
         None
     }
 
-    /// See [`ExponentialSystem::vibration_rates`](crate::integrators::ExponentialSystem::vibration_rates); `None` if modes do
-    /// not vibrate each on its own, as where joints hold what they move.
-    fn vibration_rates(&self, state: &Self::State) -> Option<Self::Increment> {
-        let _ = state;
+    /// See [`ExponentialSystem::modes`](crate::integrators::ExponentialSystem::modes); `None` if modes do not vibrate each on
+    /// its own, as where joints hold what they move. `step`: s.
+    fn modes(&self, step: T) -> Option<Self::Modes> {
+        let _ = step;
         None
     }
+    /// See [`ExponentialSystem::vibration_rates`](crate::integrators::ExponentialSystem::vibration_rates); for those that have
+    /// [`modes`](Self::modes).
+    fn vibration_rates(&self, modes: &Self::Modes, state: &Self::State) -> Self::Increment {
+        let _ = modes;
+        self.no_change(state)
+    }
     /// See [`ExponentialSystem::free_vibration`](crate::integrators::ExponentialSystem::free_vibration).
-    fn free_vibration(&self, state: &Self::State, step: T) -> Option<Self::Increment> {
-        let _ = (state, step);
-        None
+    fn free_vibration(&self, modes: &Self::Modes, state: &Self::State) -> Self::Increment {
+        let _ = modes;
+        self.no_change(state)
     }
     /// See [`ExponentialSystem::forced_vibration`](crate::integrators::ExponentialSystem::forced_vibration).
     fn forced_vibration(
         &self,
+        modes: &Self::Modes,
         rates: &Self::Increment,
-        step: T,
         forcing: Forcing,
-    ) -> Option<Self::Increment> {
-        let _ = (rates, step, forcing);
-        None
+    ) -> Self::Increment {
+        let _ = (modes, forcing);
+        rates.clone()
     }
 }

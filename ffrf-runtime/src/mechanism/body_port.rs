@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
 use super::{Level, Phase, Port, RigidFrame};
 use crate::body::{
-    Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, ModalVector,
-    Motion, PlacedMarker, Span, SpanMarker, State, Wrench,
+    Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep,
+    ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench,
 };
 use crate::integrators::StepError;
 use crate::rotation::matrix;
@@ -123,6 +123,28 @@ where
         }
     }
 
+    /// Place and motion of any marker of this body, one that no joint uses among them.
+    pub fn motion_of(&self, marker: &Marker<B::Modal, T>) -> MarkerMotion<T> {
+        match &self.span {
+            Some((span, Phase::End)) => PlacedMarker::new(marker, &span.end).motion(&span.end),
+            Some((span, Phase::Mean)) => SpanMarker::new(marker, span).motion(),
+            None => PlacedMarker::new(marker, &self.state).motion(&self.state),
+        }
+    }
+
+    /// Adds a wrench (inertial) at any marker of this body to the force on it.
+    pub fn push_at(&mut self, marker: &Marker<B::Modal, T>, wrench: &Wrench<T>) {
+        let force = self.force_of(marker, wrench);
+        self.force.add_scaled(T::one(), &force);
+    }
+
+    fn force_of(&self, marker: &Marker<B::Modal, T>, wrench: &Wrench<T>) -> GeneralisedForce<B::Modal, T> {
+        match &self.span {
+            Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
+            None => PlacedMarker::new(marker, &self.state).generalised_force(wrench),
+        }
+    }
+
     fn keep(&mut self, eliminated: Option<Eliminated<B::Modal, T>>) -> Result<(), StepError> {
         self.eliminated = eliminated;
         let eliminated = self.eliminated.as_ref().ok_or(StepError::MassNotPositive)?;
@@ -166,16 +188,16 @@ where
     T: RealField + Copy,
 {
     fn marker_motion(&self, marker: usize) -> MarkerMotion<T> {
-        if let (Some((span, phase)), Some(marker)) = (&self.span, self.markers.get(marker)) {
-            return match phase {
-                Phase::End => PlacedMarker::new(marker, &span.end).motion(&span.end),
-                Phase::Mean => SpanMarker::new(marker, span).motion(),
-            };
-        }
-        match self.placed(marker) {
-            Some(placed) => placed.motion(&self.state),
+        match self.markers.get(marker) {
+            Some(marker) => self.motion_of(marker),
             None => MarkerMotion::fixed(self.state.position, self.state.orientation),
         }
+    }
+
+    fn marker_step(&self, marker: usize) -> Option<MarkerStep<T>> {
+        let ((span, _), marker) = (self.span.as_ref()?, self.markers.get(marker)?);
+        let ends = [&span.begin, &span.end].map(|state| PlacedMarker::new(marker, state).motion(state));
+        Some(MarkerStep { ends, mean: SpanMarker::new(marker, span).motion(), step: span.step })
     }
 
     fn push(&mut self, marker: usize, wrench: &Wrench<T>) {
@@ -302,6 +324,13 @@ where
         self.alone = eliminated.modal.solve(&self.net.modal);
         let force = eliminated.reduced_force(&self.net).into();
         self.frame.as_ref().map_or(force, |frame| frame.force(force))
+    }
+
+    fn push_net(&mut self, marker: usize, wrench: &Wrench<T>) {
+        let Some(force) = self.generalised_force(marker, wrench) else { return };
+        // in a step of the energy-momentum method the right-hand side is an impulse
+        let share = self.span.as_ref().map_or(T::one(), |(span, _)| span.step);
+        self.net.add_scaled(share, &force);
     }
 
     fn without_force(&mut self) {

@@ -2,7 +2,8 @@
 
 use nalgebra::{Quaternion, RealField, UnitQuaternion, Vector3, convert};
 
-use super::{Attachment, Connection};
+use super::{Attachment, Connection, JointFriction};
+use crate::forces::Friction;
 
 impl Attachment<f64> {
     /// The same attachment in another number type.
@@ -12,6 +13,30 @@ impl Attachment<f64> {
             marker: self.marker,
             position: cast_vector(&self.position),
             orientation: cast_rotation(&self.orientation),
+        }
+    }
+}
+
+impl JointFriction<f64> {
+    /// The same friction in another number type.
+    pub fn cast<T: RealField + Copy>(&self) -> JointFriction<T> {
+        JointFriction {
+            joint: self.joint,
+            kind: self.kind.cast(),
+            coefficient: convert(self.coefficient),
+            arm: convert(self.arm),
+        }
+    }
+}
+
+impl Friction<f64> {
+    /// The same friction in another number type.
+    pub fn cast<T: RealField + Copy>(&self) -> Friction<T> {
+        Friction {
+            effort: self.effort,
+            limit: convert(self.limit),
+            speed: convert(self.speed),
+            viscous: convert(self.viscous),
         }
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{RealField, UnitQuaternion, Vector3};
 
 use super::Ports;
-use crate::body::MarkerMotion;
+use crate::body::{MarkerMotion, MarkerStep};
 use crate::joints::JointKind;
 
 /// One end of a joint, force element or sensor.
@@ -36,6 +36,12 @@ impl<T: RealField + Copy> Attachment<T> {
             return MarkerMotion::fixed(self.position, self.orientation);
         };
         port.marker_motion(self.marker).turned(&self.orientation)
+    }
+
+    /// The attached triad over a step of the energy-momentum method; `None` on the ground and outside of those.
+    pub fn over_step(&self, ports: &dyn Ports<T>) -> Option<MarkerStep<T>> {
+        let port = self.body.and_then(|body| ports.port(body))?;
+        port.marker_step(self.marker).map(|step| step.turned(&self.orientation))
     }
 }
 

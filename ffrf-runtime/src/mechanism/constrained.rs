@@ -42,18 +42,20 @@ impl<A> Constrained<'_, A> {
         A: Assembly<T>,
         T: RealField + Copy,
     {
-        self.solve(time, state, implicit, self.0.treatment().target(), |ports, storage, pivot| {
-            read(ports, storage, pivot)
-        })
+        let target = self.0.treatment().target();
+        self.solve(time, state, implicit, target, None, |ports, storage, pivot| read(ports, storage, pivot))
     }
 
     /// [`evaluate`](Self::evaluate) for a target, with everything still open for further right-hand sides.
+    ///
+    /// `efforts`: friction that was found before; what is subtracted would take its share out of the reactions.
     fn solve<T, R>(
         &self,
         time: T,
         state: A::State,
         implicit: Option<ImplicitTerms<'_, A::Increment, T>>,
         target: Target<T>,
+        efforts: Option<&[T]>,
         read: impl FnOnce(&mut A::Ports<'_>, &mut Storage<'_, T>, T) -> R,
     ) -> Result<R, StepError>
     where
@@ -67,7 +69,13 @@ impl<A> Constrained<'_, A> {
             let mut constraints = constraints(assembly, &mut ports, storage);
             constraints.evaluate(&|joint| assembly.drive(joint, time));
             let pivot = constraints.factor()?;
-            constraints.accelerate(target);
+            if let Some(efforts) = efforts {
+                constraints.rub_as(assembly, efforts);
+                constraints.accelerate(target);
+            } else {
+                constraints.accelerate(target);
+                constraints.rub(assembly, target, T::one())?;
+            }
             Ok(read(&mut ports, storage, pivot))
         })
     }
@@ -231,7 +239,17 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
     ) -> Result<Self::Increment, StepError> {
         let state = self.0.retract(origin, increment);
         let implicit = Some(ImplicitTerms { gamma_h, subtracted });
-        self.evaluate(time, state, implicit, |ports, _, _| self.0.collect(ports, increment))
+        let target = self.0.treatment().target();
+        if subtracted.is_none() || self.0.friction(0).is_none() {
+            return self
+                .solve(time, state, implicit, target, None, |ports, _, _| self.0.collect(ports, increment));
+        }
+        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first
+        let whole = Some(ImplicitTerms { gamma_h, subtracted: None });
+        self.solve(time, state.clone(), whole, target, None, |_, storage, _| {
+            let efforts = Some(&*storage.efforts);
+            self.solve(time, state, implicit, target, efforts, |ports, _, _| self.0.collect(ports, increment))
+        })?
     }
 }
 
@@ -254,7 +272,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
             Treatment::StabilisedIndex2 => Target::Velocity { share: gamma_h },
             Treatment::Projection { .. } | Treatment::Baumgarte { .. } => treatment.target(),
         };
-        self.solve(time, state, implicit, target, |ports, storage, _| {
+        self.solve(time, state, implicit, target, None, |ports, storage, _| {
             let accelerations = assembly.velocities_only(&assembly.collect(ports, increment));
             let places = matches!(treatment, Treatment::StabilisedIndex2).then(|| {
                 let mut constraints = constraints(assembly, ports, storage);
@@ -304,8 +322,10 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
                 match phase {
                     Phase::End => constraints.aim(half),
                     Phase::Mean => {
+                        constraints.take_aim();
                         constraints.factor()?;
                         constraints.accelerate(Target::Aimed);
+                        constraints.rub(assembly, Target::Aimed, T::one() / step)?;
                     }
                 }
             }
@@ -315,20 +335,26 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
 }
 
 impl<A: Assembly<T>, T: RealField + Copy> ExponentialSystem<T> for Constrained<'_, A> {
-    fn vibration_rates(&self, state: &Self::State) -> Result<Self::Increment, StepError> {
-        self.0.vibration_rates(state).ok_or(StepError::ModesNotSeparate)
+    type Modes = A::Modes;
+
+    fn modes(&self, step: T) -> Result<A::Modes, StepError> {
+        self.0.modes(step).ok_or(StepError::ModesNotSeparate)
     }
 
-    fn free_vibration(&self, state: &Self::State, step: T) -> Result<Self::Increment, StepError> {
-        self.0.free_vibration(state, step).ok_or(StepError::ModesNotSeparate)
+    fn vibration_rates(&self, modes: &A::Modes, state: &Self::State) -> Self::Increment {
+        self.0.vibration_rates(modes, state)
+    }
+
+    fn free_vibration(&self, modes: &A::Modes, state: &Self::State) -> Self::Increment {
+        self.0.free_vibration(modes, state)
     }
 
     fn forced_vibration(
         &self,
+        modes: &A::Modes,
         rates: &Self::Increment,
-        step: T,
         forcing: Forcing,
-    ) -> Result<Self::Increment, StepError> {
-        self.0.forced_vibration(rates, step, forcing).ok_or(StepError::ModesNotSeparate)
+    ) -> Self::Increment {
+        self.0.forced_vibration(modes, rates, forcing)
     }
 }

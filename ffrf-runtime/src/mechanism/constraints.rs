@@ -68,6 +68,8 @@ pub struct Storage<'a, T: RealField + Copy> {
     pub shift: &'a mut [[T; 6]],
     /// Rows of each joint.
     pub rows: &'a mut [Rows<T>],
+    /// What each friction that follows reactions exerts; as many as there are.
+    pub efforts: &'a mut [T],
     /// Motion of both ends of each joint.
     pub ends: &'a mut [[MarkerMotion<T>; 2]],
     /// Whether blocks hold something besides zeros.
@@ -96,7 +98,7 @@ pub enum Target<T = f64> {
         /// What a change of the accelerations is multiplied by to change velocities.
         share: T,
     },
-    /// As [`Constraints::aim`] has stored it.
+    /// As [`Constraints::take_aim`] has put it in the place of residuals.
     Aimed,
     /// Correction of accelerations that act so on places: takes g away. Units: s².
     Position {
@@ -214,7 +216,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 }
                 Target::Velocity { share } => scaled(-T::one() / share, &rows.velocities(ends)),
                 Target::Position { share } => scaled(-T::one() / share, rows.residuals()),
-                Target::Aimed => *right,
+                Target::Aimed => *rows.residuals(),
             };
             for ((end, attachment), gradients) in
                 place.ends.iter().zip([&connection.first, &connection.second]).zip(rows.gradients())
@@ -235,11 +237,20 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     }
 
     /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
-    /// [`accelerate`](Self::accelerate). `share`: what a change of the unknowns is multiplied by to change places.
+    /// [`take_aim`](Self::take_aim). `share`: what a change of the unknowns is multiplied by to change places.
     pub fn aim(&mut self, share: T) {
         for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter()) {
             if let Some(right) = self.storage.right.get_mut(place.node) {
                 *right = scaled(-T::one() / share, rows.residuals());
+            }
+        }
+    }
+
+    /// Puts what [`aim`](Self::aim) has stored in the place of the residuals of rows that were evaluated anew since.
+    pub fn take_aim(&mut self) {
+        for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter_mut()) {
+            if let Some(right) = self.storage.right.get(place.node) {
+                rows.set_residuals(*right);
             }
         }
     }

@@ -3,6 +3,7 @@
 use nalgebra::RealField;
 
 use super::{Attachment, Ports};
+use crate::body::MarkerStep;
 use crate::forces::ForceElement;
 
 /// A force element between two attachments.
@@ -19,12 +20,25 @@ pub struct Element<K, T: RealField + Copy = f64> {
 impl<K: ForceElement<T>, T: RealField + Copy> Element<K, T> {
     /// Adds its wrenches to the forces on the bodies.
     pub fn apply(&self, ports: &mut dyn Ports<T>) {
-        let (first, second) = (self.first.motion(ports), self.second.motion(ports));
-        let wrenches = self.kind.wrenches(&first, &second);
+        let wrenches = match self.over_step(ports) {
+            Some([first, second]) => self.kind.wrenches_over(&first, &second),
+            None => self.kind.wrenches(&self.first.motion(ports), &self.second.motion(ports)),
+        };
         for (attachment, wrench) in [&self.first, &self.second].into_iter().zip(&wrenches) {
             if let Some(port) = attachment.body.and_then(|body| ports.port_mut(body)) {
                 port.push(attachment.marker, wrench);
             }
+        }
+    }
+
+    /// Both ends over a step of the energy-momentum method.
+    fn over_step(&self, ports: &dyn Ports<T>) -> Option<[MarkerStep<T>; 2]> {
+        let still = |end: &Attachment<T>, step: T| MarkerStep::still(end.motion(ports), step);
+        match (self.first.over_step(ports), self.second.over_step(ports)) {
+            (None, None) => None,
+            (Some(first), Some(second)) => Some([first, second]),
+            (Some(first), None) => Some([first, still(&self.second, first.step)]),
+            (None, Some(second)) => Some([still(&self.first, second.step), second]),
         }
     }
 

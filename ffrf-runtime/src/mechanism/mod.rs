@@ -12,11 +12,14 @@ mod element;
 mod elimination;
 #[doc(hidden)]
 pub mod generated;
+mod joint_friction;
+mod loaded;
 mod moving;
 mod node;
 mod plan;
 mod port;
 mod rigid_frame;
+mod rubbing;
 mod sensing;
 mod triads;
 
@@ -28,10 +31,13 @@ pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
 pub use drive::{Drive, MOST_COEFFICIENTS, polynomial};
 pub use element::Element;
 pub use elimination::{Elimination, LARGEST_NODE};
+pub use joint_friction::JointFriction;
+pub use loaded::Loaded;
 pub use moving::{Mechanism, NotAssembled};
 pub use node::{Coupling, Step};
 pub use plan::{Block, BodyPlace, EndPlace, JointPlace, Plan, SharedPlace};
 pub use port::{Phase, Port, Ports};
 pub use rigid_frame::RigidFrame;
+pub use rubbing::FRICTION_PASSES;
 pub use sensing::{acceleration, reaction};
 pub use triads::{along_axis, second_triad, turn_about};

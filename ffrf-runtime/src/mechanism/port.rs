@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use crate::body::{MarkerMotion, Wrench};
+use crate::body::{MarkerMotion, MarkerStep, Wrench};
 use crate::integrators::StepError;
 
 /// What a body in a step of the energy-momentum method shows of its markers.
@@ -18,6 +18,8 @@ pub enum Phase {
 pub trait Port<T: RealField + Copy> {
     /// Place and motion of a marker.
     fn marker_motion(&self, marker: usize) -> MarkerMotion<T>;
+    /// A marker over a step of the energy-momentum method; `None` outside of those.
+    fn marker_step(&self, marker: usize) -> Option<MarkerStep<T>>;
     /// Adds a wrench (inertial) at a marker to the force on the body.
     fn push(&mut self, marker: usize, wrench: &Wrench<T>);
     /// Adds uniform gravity (m/s², inertial) to the force on the body.
@@ -53,6 +55,9 @@ pub trait Port<T: RealField + Copy> {
     fn subtract_compliance(&self, slot: usize, other: usize, from: &mut [[T; 6]; 6]);
     /// Takes the forces as the right-hand side; returns the force on the frame with the modes eliminated. Shape: 6.
     fn reduced_force(&mut self) -> [T; 6];
+    /// Adds a wrench (inertial) at a marker after factors and right-hand side were made, for the next
+    /// [`reduced_force`](Self::reduced_force).
+    fn push_net(&mut self, marker: usize, wrench: &Wrench<T>);
     /// Takes no force as the right-hand side: what follows is a correction of place or velocities.
     fn without_force(&mut self);
     /// Subtracts what the modes' own acceleration adds to the rows of attached joint `slot`.

@@ -124,6 +124,11 @@ impl<T: RealField + Copy> Rows<T> {
         &self.residual
     }
 
+    /// Puts other numbers in the place of g of all rows.
+    pub(crate) fn set_residuals(&mut self, residuals: [T; MOST_ROWS]) {
+        self.residual = residuals;
+    }
+
     /// The components of force and moment of all rows at both ends. Shape: 6 x rows each.
     pub(crate) fn gradients(&self) -> &[Square<T>; 2] {
         &self.gradients

@@ -1,8 +1,9 @@
 //! Mechanisms of `mechanism!`: a chain that is a tree, and a driven slider-crank whose loop has redundant rows.
 
 use ffrf::mechanism::{Assembly, Constrained, Mechanism, Treatment};
+use ffrf::nalgebra::Vector3;
 use ffrf::{
-    EnergyMomentum, GeneralisedAlpha, flexible_body, mechanism, step_dormand_prince, step_exponential,
+    EnergyMomentum, GeneralisedAlpha, Wrench, flexible_body, mechanism, step_dormand_prince, step_exponential,
     step_linearly_implicit_euler, step_symplectic_euler,
 };
 
@@ -37,7 +38,15 @@ mechanism! {
             guide: prismatic(ground, piston, axis: x),
         },
         drives: { motor: angle(main, polynomial: [0.0, 100.0]) },
-        forces: { coil: torsion_spring(big_end, stiffness: 1.0, damping: 0.01) },
+        controls: { lift: 0.1 },
+        forces: {
+            coil: torsion_spring(big_end, stiffness: 1.0, damping: 0.01),
+            rub: friction(guide, coefficient: 0.1, speed: 0.1),
+            own: user(|model, _, ports| {
+                let wrench = Wrench { force: Vector3::z() * model.lift, moment: Vector3::zeros() };
+                ports.rod.push_at(&Rod::SMALL_END, &wrench);
+            }),
+        },
         sensors: { stroke: position(piston), bearing: reaction_force(main), turn: angle(main) },
     }
 }
@@ -51,8 +60,11 @@ mechanism! {
             first: revolute(ground, links[0].BIG_END, axis: z),
             hinges: for i in 0..2 { revolute(links[i].SMALL_END, links[i + 1].BIG_END, axis: z) },
         },
-        forces: { wind: force(links[2].SMALL_END, value: [0.1, 0.0, 0.0]) },
-        sensors: { end: position(links[2].SMALL_END), shock: acceleration(links[2].SMALL_END) },
+        forces: {
+            wind: force(links[2].SMALL_END, value: [0.1, 0.0, 0.0]),
+            bearings: for i in 0..2 { friction(hinges[i], coefficient: 0.1, radius: 0.01, speed: 1.0) },
+        },
+        sensors: { turns: for i in 0..2 { angle(hinges[i]) }, end: position(links[2].SMALL_END), shock: acceleration(links[2].SMALL_END) },
     }
 }
 
@@ -87,6 +99,7 @@ pub fn they_move() -> bool {
         && every_integrator(&mut falling, 2e-6)
         && iterating
         && chain.end(&falling.state).y < before.y
+        && chain.turns(&falling.state).iter().all(|turn| turn.abs() < 1.0)
         && chain.shock(falling.time, &falling.state).is_ok_and(|shock| shock.y < -1.0)
 }
 

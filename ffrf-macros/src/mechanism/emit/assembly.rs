@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::forces::forces;
 use super::plan::plan;
 use super::{Names, markers_of, slice, slice_mut};
 use crate::mechanism::bodies::Body;
@@ -48,13 +49,19 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         }
     });
     let weigh = each("ports", quote! { ::ffrf::mechanism::Port::weigh(port, &self.gravity); });
-    let elements = spec.forces.iter().map(|force| {
-        let field = &force.name;
-        quote! { self.#field.apply(ports); }
-    });
+    let forces = forces(spec);
+    let (applied, friction, frictions) = (&forces.applied, &forces.friction, forces.friction_count);
     let driven = spec.drives.iter().map(|drive| {
         let (field, connection) = (&drive.name, drive.first);
-        quote! { #connection => self.#field.at(time), }
+        match &drive.range {
+            None => quote! { #connection => self.#field.at(time), },
+            Some(_) => {
+                let last = connection + drive.len() - 1;
+                quote! {
+                    #connection..=#last => self.#field.get(joint - #connection).map_or(none, |drive| drive.at(time)),
+                }
+            }
+        }
     });
     let finite = spec.bodies.iter().map(|body| {
         let items = slice(body, &ident("state"));
@@ -118,6 +125,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
             impl #bound ::ffrf::mechanism::Assembly<#t> for #model #used {
                 type State = #state #used;
                 type Increment = #increment #used;
+                type Modes = ();
                 type Ports<'a> = #ports #lifetime_and_type where Self: 'a;
 
                 fn ports<'a>(
@@ -152,13 +160,14 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                         solution: &mut [[#zero; 6]; #nodes],
                         right: &mut [[#zero; 6]; #nodes],
                         shift: &mut [[#zero; 6]; #nodes],
+                        efforts: &mut [#zero; #frictions],
                         rows: &mut [::ffrf::relations::Rows::none(); #joints],
                         ends: &mut [[still; 2]; #joints],
                         used: false,
                     })
                 }
 
-                fn plan(&self) -> Plan<'_> {
+                fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
                     #plan_expression
                 }
 
@@ -174,16 +183,19 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 }
 
                 fn drive(&self, joint: usize, time: #t) -> [#t; 3] {
+                    let none = [#zero; 3];
                     match joint {
                         #(#driven)*
-                        _ => [#zero; 3],
+                        _ => none,
                     }
                 }
 
                 fn load(&self, time: #t, ports: &mut Self::Ports<'_>) {
                     #weigh
-                    #(#elements)*
+                    #applied
                 }
+
+                #friction
 
                 fn treatment(&self) -> ::ffrf::mechanism::Treatment<#t> {
                     self.treatment

@@ -4,8 +4,9 @@ use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
 use syn::spanned::Spanned as _;
 
-use super::{Names, field_type, markers_of, modal};
+use super::{Names, field_type, forces, markers_of, modal};
 use crate::mechanism::bodies::{Body, Nature, UsedMarker};
+use crate::mechanism::call::{Range, each, each_type};
 use crate::mechanism::scalar::Scalar;
 use crate::mechanism::spec::Spec;
 use crate::parse::Input;
@@ -24,13 +25,15 @@ pub(super) fn model(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
     });
     let drives = spec.drives.iter().map(|drive| {
         let field = &drive.name;
-        let doc = format!("Drive of joint `{}`.", spec.joints[drive.joint].name);
-        quote! { #[doc = #doc] pub #field: ::ffrf::mechanism::Drive<#t>, }
+        let doc = format!("Drive of joint `{}`.", spec.joints[drive.of.joint].name);
+        let kind = each_type(drive.range.as_ref(), quote! { ::ffrf::mechanism::Drive<#t> });
+        quote! { #[doc = #doc] pub #field: #kind, }
     });
-    let forces = spec.forces.iter().map(|force| {
-        let (field, doc) = (&force.name, format!("Force element `{}`.", force.name));
-        let kind = syn::Ident::new(force.type_name, field.span());
-        quote! { #[doc = #doc] pub #field: ::ffrf::mechanism::Element<::ffrf::forces::#kind<#t>, #t>, }
+    let forces = forces::fields(names, spec);
+    let controls = spec.controls.iter().map(|control| {
+        let (field, doc) =
+            (&control.name, format!("Control `{}`, for forces of the user's own.", control.name));
+        quote! { #[doc = #doc] pub #field: #t, }
     });
     let markers = spec.bodies.iter().map(|body| {
         let (field, modal, count) = (markers_of(body), modal(body, spec), body.markers.len());
@@ -65,8 +68,9 @@ pub(super) fn model(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
             #(#bodies)*
             /// Gravity. Shape: 3. Units: m/s². Frame: inertial.
             pub gravity: ::ffrf::nalgebra::Vector3<#t>,
+            #(#controls)*
             #(#drives)*
-            #(#forces)*
+            #forces
             /// How joints are kept while time advances.
             pub treatment: ::ffrf::mechanism::Treatment<#t>,
             /// How redundant rows are dealt with.
@@ -77,7 +81,7 @@ pub(super) fn model(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
 
         #(#checks)*
 
-        #[allow(dead_code, clippy::all, clippy::pedantic)]
+        #[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
         impl #bound #name #used {
             /// The joints and drives by their numbers in errors.
             pub const JOINTS: [&'static str; #count] = [#(#joint_names),*];
@@ -131,8 +135,8 @@ fn joint_names(spec: &Spec) -> Vec<String> {
     let mut names = Vec::with_capacity(spec.connections);
     for (index, joint) in spec.joints.iter().enumerate() {
         names.extend(joint.names());
-        let drives = spec.drives.iter().filter(|drive| drive.joint == index);
-        names.extend(drives.map(|drive| drive.name.to_string()));
+        let drives = spec.drives.iter().filter(|drive| drive.of.joint == index);
+        names.extend(drives.flat_map(|drive| drive.names()));
     }
     names
 }
@@ -163,17 +167,21 @@ fn values(spec: &Spec) -> TokenStream {
         let first = joint.ends[0].attachment(&spec.bodies, scalar, &one);
         let second = joint.ends[1].attachment(&spec.bodies, scalar, &other);
         let (start, number, kind) = (joint.first, joint.len(), &joint.kind);
-        let index_of = joint.range.as_ref().map(|range| {
-            let (variable, start) = (&range.variable, range.start);
-            quote! { let #variable = #start + number; }
-        });
-        let drives = spec.drives.iter().filter(|drive| drive.joint == index).map(|drive| {
-            let (start, kind) = (drive.first, syn::Ident::new(drive.type_name, drive.name.span()));
+        let index_of = joint.range.as_ref().map(Range::bind);
+        let drives = spec.drives.iter().filter(|drive| drive.of.joint == index).map(|drive| {
+            let (start, count) = (drive.first, drive.len());
+            let kind = syn::Ident::new(drive.type_name, drive.name.span());
+            let [first, second] = drive.of.attachments(&spec.joints, &spec.bodies, scalar);
+            let bind = drive.range.as_ref().map(Range::bind);
+            let number = if drive.range.is_some() { quote!(number) } else { quote!(_) };
             quote! {
-                support::connect::<#t>(&mut connections, #start, 1, |_| ::ffrf::mechanism::Connection {
-                    kind: ::ffrf::joints::JointKind::#kind(::ffrf::joints::#kind),
-                    first: #first,
-                    second: #second,
+                support::connect::<#t>(&mut connections, #start, #count, |#number| {
+                    #bind
+                    ::ffrf::mechanism::Connection {
+                        kind: ::ffrf::joints::JointKind::#kind(::ffrf::joints::#kind),
+                        first: #first,
+                        second: #second,
+                    }
                 });
             }
         });
@@ -188,12 +196,15 @@ fn values(spec: &Spec) -> TokenStream {
     });
     let drives = spec.drives.iter().map(|drive| {
         let (field, function) = (&drive.name, &drive.function);
-        quote! { #field: #function }
+        let value = each(drive.range.as_ref(), function.clone());
+        quote! { #field: #value }
     });
-    let forces = spec.forces.iter().map(|force| {
-        let (field, kind, [first, second]) = (&force.name, &force.kind, &force.attachments);
-        quote! { #field: ::ffrf::mechanism::Element { kind: #kind, first: #first, second: #second } }
+    let forces = forces::values(spec);
+    let controls = spec.controls.iter().map(|control| {
+        let (field, value) = (&control.name, &control.value);
+        quote! { #field: #value }
     });
+    let treatment = &spec.treatment;
     let gravity = scalar.vector(&spec.gravity);
     let regularisation = if spec.has_loops { quote!(of_loops) } else { quote!(of_trees) };
     quote! {
@@ -203,9 +214,10 @@ fn values(spec: &Spec) -> TokenStream {
         Self {
             #(#bodies,)*
             gravity: #gravity,
+            #(#controls,)*
             #(#drives,)*
             #(#forces,)*
-            treatment: ::ffrf::mechanism::Treatment::projection(),
+            treatment: #treatment,
             regularisation: ::ffrf::mechanism::Regularisation::#regularisation(),
             connections,
             #(#markers,)*

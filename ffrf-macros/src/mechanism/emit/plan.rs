@@ -8,13 +8,13 @@ use quote::quote;
 pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
     let block = |block: &BlockPlace| {
         let BlockPlace { index, transposed } = block;
-        quote! { Block { index: #index, transposed: #transposed } }
+        quote! { places::Block { index: #index, transposed: #transposed } }
     };
     let steps = plan.steps.iter().map(|step| {
         let (size, node, diagonal) = (step.size, step.node, step.diagonal);
         let (is_diagonal, couplings, targets) = (step.is_diagonal, step.couplings, step.targets);
         quote! {
-            Step {
+            places::Step {
                 size: #size, node: #node, diagonal: #diagonal, is_diagonal: #is_diagonal,
                 couplings: #couplings, targets: #targets,
             }
@@ -22,12 +22,12 @@ pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
     });
     let couplings = plan.couplings.iter().map(|coupling| {
         let (size, node) = (coupling.size, coupling.node);
-        quote! { Coupling { size: #size, node: #node } }
+        quote! { places::Coupling { size: #size, node: #node } }
     });
     let targets = &plan.targets;
     let bodies = plan.bodies.iter().map(|body| {
         let (node, diagonal) = (body.node, body.diagonal);
-        quote! { BodyPlace { node: #node, diagonal: #diagonal } }
+        quote! { places::BodyPlace { node: #node, diagonal: #diagonal } }
     });
     let joints = plan.joints.iter().map(|joint| {
         let (rows, node, diagonal) = (joint.rows, joint.node, joint.diagonal);
@@ -35,36 +35,35 @@ pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
             None => quote! { ::core::option::Option::None },
             Some(end) => {
                 let (body, slot, block) = (end.body, end.slot, block(&end.block));
-                quote! { ::core::option::Option::Some(EndPlace { body: #body, slot: #slot, block: #block }) }
+                quote! { ::core::option::Option::Some(places::EndPlace { body: #body, slot: #slot, block: #block }) }
             }
         });
         quote! {
-            JointPlace { rows: #rows, node: #node, diagonal: #diagonal, ends: [#(#ends),*] }
+            places::JointPlace { rows: #rows, node: #node, diagonal: #diagonal, ends: [#(#ends),*] }
         }
     });
     let shared = plan.shared.iter().map(|shared| {
         let (body, block) = (shared.body, block(&shared.block));
         let (first, second) = (shared.first, shared.second);
-        quote! { SharedPlace { body: #body, first: #first, second: #second, block: #block } }
+        quote! { places::SharedPlace { body: #body, first: #first, second: #second, block: #block } }
     });
     let (step_count, coupling_count, target_count) =
         (plan.steps.len(), plan.couplings.len(), plan.targets.len());
     let leading = plan.leading;
     let (body_count, joint_count, shared_count) = (plan.bodies.len(), plan.joints.len(), plan.shared.len());
     let constants = quote! {
-        use ::ffrf::mechanism::{
-            Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
-        };
-        static STEPS: [Step; #step_count] = [#(#steps),*];
-        static COUPLINGS: [Coupling; #coupling_count] = [#(#couplings),*];
+        // by its path: a mechanism may have any of these names
+        use ::ffrf::mechanism as places;
+        static STEPS: [places::Step; #step_count] = [#(#steps),*];
+        static COUPLINGS: [places::Coupling; #coupling_count] = [#(#couplings),*];
         static TARGETS: [usize; #target_count] = [#(#targets),*];
-        static BODIES: [BodyPlace; #body_count] = [#(#bodies),*];
-        static JOINTS: [JointPlace; #joint_count] = [#(#joints),*];
-        static SHARED: [SharedPlace; #shared_count] = [#(#shared),*];
+        static BODIES: [places::BodyPlace; #body_count] = [#(#bodies),*];
+        static JOINTS: [places::JointPlace; #joint_count] = [#(#joints),*];
+        static SHARED: [places::SharedPlace; #shared_count] = [#(#shared),*];
     };
     let expression = quote! {
-        Plan {
-            elimination: Elimination {
+        places::Plan {
+            elimination: places::Elimination {
                 steps: &STEPS, leading: #leading, couplings: &COUPLINGS, targets: &TARGETS,
             },
             bodies: &BODIES,

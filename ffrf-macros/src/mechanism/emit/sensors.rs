@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::Names;
+use crate::mechanism::call::{each, each_type};
 use crate::mechanism::sensors::Measured;
 use crate::mechanism::spec::Spec;
 
@@ -31,7 +32,7 @@ pub(super) fn sensors(names: &Names, spec: &Spec) -> TokenStream {
         }
     };
     let methods = spec.sensors.iter().map(|sensor| {
-        let method = &sensor.name;
+        let (method, range) = (&sensor.name, sensor.range.as_ref());
         match &sensor.measured {
             Measured::Motion { field, at } => {
                 let (doc, result) = match field.to_string().as_str() {
@@ -42,32 +43,42 @@ pub(super) fn sensors(names: &Names, spec: &Spec) -> TokenStream {
                         quote! { ::ffrf::nalgebra::UnitQuaternion<#t> },
                     ),
                 };
+                let (result, value) = (each_type(range, result), each(range, quote! { #at.motion(&ports).#field }));
                 quote! {
                     #[doc = #doc]
                     pub fn #method(&self, state: &#state #used) -> #result {
                         #ports
-                        #at.motion(&ports).#field
+                        #value
                     }
                 }
             }
-            Measured::Angle { connection } => quote! {
-                /// Angle of the joint about its axis, within half a turn. Units: rad.
-                pub fn #method(&self, state: &#state #used) -> #t {
-                    #ports
-                    let connection = &self.connections[#connection];
-                    ::ffrf::forces::relative_angle(
-                        &connection.first.motion(&ports),
-                        &connection.second.motion(&ports),
-                    )
+            Measured::Angle { connections } => {
+                let angles = connections.iter().map(|connection| {
+                    quote! {
+                        ::ffrf::forces::relative_angle(
+                            &self.connections[#connection].first.motion(&ports),
+                            &self.connections[#connection].second.motion(&ports),
+                        )
+                    }
+                });
+                let value = if range.is_some() { quote! { [#(#angles),*] } } else { quote! { #(#angles)* } };
+                let result = each_type(range, quote! { #t });
+                quote! {
+                    /// Angle of the joint about its axis, within half a turn. Units: rad.
+                    pub fn #method(&self, state: &#state #used) -> #result {
+                        #ports
+                        #value
+                    }
                 }
-            },
+            }
             Measured::Acceleration { at } => {
+                let value = each(range, quote! { ::ffrf::mechanism::acceleration(&#at, ports) });
                 let body = evaluated(
                     quote! {{
                         let _ = storage;
-                        ::ffrf::mechanism::acceleration(&#at, ports)
+                        #value
                     }},
-                    &vector,
+                    &each_type(range, vector.clone()),
                 );
                 quote! {
                     /// Acceleration at `time` (s). Shape: 3. Units: m/s². Frame: inertial.
@@ -82,16 +93,20 @@ pub(super) fn sensors(names: &Names, spec: &Spec) -> TokenStream {
                     _ => "Moment of the joint on its second body, about the marker there, at `time` (s). Shape: 3. Units: N m. Frame: inertial.",
                 };
                 let field = syn::Ident::new(field, method.span());
-                let terms = connections.iter().map(|connection| {
-                    quote! { ::ffrf::mechanism::reaction(&plan, storage, #connection).#field }
+                let sums = connections.iter().map(|own| {
+                    let terms = own.iter().map(|connection| {
+                        quote! { ::ffrf::mechanism::reaction(&plan, storage, #connection).#field }
+                    });
+                    quote! { #(#terms)+* }
                 });
+                let value = if range.is_some() { quote! { [#(#sums),*] } } else { quote! { #(#sums)* } };
                 let body = evaluated(
                     quote! {{
                         let _ = ports;
                         let plan = ::ffrf::mechanism::Assembly::<#t>::plan(self);
-                        #(#terms)+*
+                        #value
                     }},
-                    &vector,
+                    &each_type(range, vector.clone()),
                 );
                 quote! {
                     #[doc = #doc]
@@ -103,7 +118,7 @@ pub(super) fn sensors(names: &Names, spec: &Spec) -> TokenStream {
         }
     });
     quote! {
-        #[allow(dead_code, clippy::all, clippy::pedantic)]
+        #[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
         impl #bound #name #used {
             #(#methods)*
         }
