@@ -44,7 +44,7 @@ impl ConstantBody {
 
     /// Floating-point operations of one call of `forward_dynamics`; none where it is a loop over lanes, whose work
     /// depends on the registers of the target.
-    pub const FLOPS: ::core::option::Option<usize> = ::core::option::Option::Some(193);
+    pub const FLOPS: ::core::option::Option<usize> = ::core::option::Option::Some(196);
 
     /// Tables that loops over lanes read; zero where all numbers stand in statements. Units: bytes.
     pub const TABLE_BYTES: usize = 0;
