@@ -26,10 +26,12 @@ have_targets() {
 
 # The library source of Debian's compiler, unpacked beside the system: its library is built with the program.
 debian_toolchain() {
+    local library
     if [ ! -x "$toolchain_folder/root/usr/bin/rustc" ]; then
         mkdir -p "$toolchain_folder"
         { privileged apt-get update > /dev/null && cd "$toolchain_folder" &&
-            apt-get download rustc-web rust-web-src libstd-rust-web-dev 'libstd-rust-web-1.*' rust-web-llvm > download.log 2>&1; } ||
+            library=$(apt-cache depends libstd-rust-web-dev | awk '/libstd-rust-web-[0-9]/ {print $2; exit}') &&
+            apt-get download rustc-web rust-web-src libstd-rust-web-dev "$library" rust-web-llvm > download.log 2>&1; } ||
             { echo "error: Debian's compiler could not be downloaded, see $toolchain_folder/download.log" >&2; return 1; }
         local package
         for package in "$toolchain_folder"/*.deb; do
@@ -38,8 +40,7 @@ debian_toolchain() {
         cd - > /dev/null
     fi
     export LD_LIBRARY_PATH=$toolchain_folder/root/usr/lib/x86_64-linux-gnu
-    local library
-    library=$(ldd "$toolchain_folder"/root/usr/lib/x86_64-linux-gnu/librustc_driver-*.so | awk '/libLLVM.*not found/ {print $1; exit}')
+    library=$(ldd "$toolchain_folder/root/usr/bin/rustc" | awk '/libLLVM.*not found/ {print $1; exit}')
     if [ -n "$library" ]; then
         # libLLVM.so.22.1 or libLLVM-22.so is in the package libllvm22
         install_packages "libllvm$(sed -E 's/^libLLVM[^0-9]*([0-9]+).*/\1/' <<< "$library")"

@@ -19,6 +19,7 @@ mod inspect;
 mod linearise;
 mod modes;
 mod output;
+mod plan;
 mod plots;
 mod progress;
 mod reduce;
@@ -29,6 +30,8 @@ mod simulate;
 mod states;
 mod stiffening;
 mod stress;
+mod trade_text;
+mod tradeoff;
 mod verify;
 
 use std::process::ExitCode;
@@ -60,6 +63,8 @@ pub fn run() -> ExitCode {
         Command::Linearise(arguments) => linearise::run(&arguments),
         Command::Campbell(arguments) => campbell::run(&arguments),
         Command::Budget(arguments) => budget::run(&arguments),
+        Command::Plan(arguments) => plan::run(&arguments),
+        Command::Tradeoff(arguments) => tradeoff::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

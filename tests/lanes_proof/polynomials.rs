@@ -88,6 +88,7 @@ fn loops_over_pairs_of_groups_equal_the_derived_equations() {
 #[test]
 fn loops_over_half_of_the_moments_equal_the_derived_equations() {
     prove_all(21, half::<21, 27, 6, 4, 6, 120>, &three_layouts(), &[Fidelity::Full]);
+    prove_all(21, half::<21, 27, 6, 4, 6, 120>, &stiffened(), &[Fidelity::Full]);
     prove_all(28, half::<28, 34, 8, 8, 4, 48>, &three_layouts()[..1], &[Fidelity::Full]);
 }
 
