@@ -4,4 +4,5 @@ mod convergence;
 mod events;
 mod reference_pendulum;
 mod scene_files;
+mod soft_rows;
 mod treatments;
