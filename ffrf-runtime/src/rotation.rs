@@ -106,6 +106,14 @@ pub fn cayley_rate<T: RealField + Copy>(rotation: &Vector3<T>, omega: &Vector3<T
     omega + half.cross(omega) + half * half.dot(omega)
 }
 
+/// The inverse of [`cayley_rate`]: the ω with which the rotation vector c changes at `rate`.
+///
+/// ω = (ċ - ½ c × ċ) / (1 + ¼ c · c). Shape: 3. Units: rad/s. Frame: the turned one.
+pub fn cayley_omega<T: RealField + Copy>(rotation: &Vector3<T>, rate: &Vector3<T>) -> Vector3<T> {
+    let half = rotation * nalgebra::convert::<f64, T>(0.5);
+    (rate - half.cross(rate)) / (T::one() + half.norm_squared())
+}
+
 /// The unit quaternion in the direction of `quaternion`, and the norm it had; `None` without a direction.
 pub(crate) fn normalised<T: RealField + Copy>(quaternion: Quaternion<T>) -> Option<(UnitQuaternion<T>, T)> {
     let norm = quaternion.norm();

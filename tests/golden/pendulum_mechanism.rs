@@ -251,6 +251,7 @@ const _: () = {
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.beam),
+                        chart: terms.chart.map(|all| &all.beam),
                     }),
                 ),
             }
@@ -272,7 +273,11 @@ const _: () = {
         fn state(&self, ports: Self::Ports<'_>) -> Self::State {
             PendulumState { beam: ports.beam.state }
         }
-        fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R) -> R {
+        fn with_storage<R>(
+            &self,
+            soft: bool,
+            use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R,
+        ) -> R {
             let still = support::still::<f64>();
             use_it(&mut ::ffrf::mechanism::Storage {
                 blocks: &mut [[[::ffrf::generated_support::constant::<f64>(0.0); 6]; 6]; 3usize],
@@ -282,6 +287,7 @@ const _: () = {
                 efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
                 rows: &mut [::ffrf::relations::Rows::none(); 1usize],
                 ends: &mut [[still; 2]; 1usize],
+                soft_markers: &mut [[0; 2]; 0usize],
                 used: false,
             })
         }

@@ -325,14 +325,14 @@ pub struct SliderCrankPorts<'a, T: ::ffrf::generated_support::Number = f64> {
         'a,
         ::ffrf::RigidBody<T>,
         [::ffrf::mechanism::AttachedRows<<::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal, T>;
-            3usize],
+            4usize],
         T,
     >,
     #[doc = "Body `rod`."]
     pub rod: ::ffrf::mechanism::BodyPort<
         'a,
         Rod,
-        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
+        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 3usize],
         T,
     >,
     #[doc = "Body `piston`."]
@@ -745,6 +745,353 @@ const _: () = {
             block: places::Block { index: 4usize, transposed: true },
         },
     ];
+    static SOFT_STEPS: [places::Step; 15usize] = [
+        places::Step {
+            size: 6usize,
+            node: 5usize,
+            diagonal: 0usize,
+            is_diagonal: false,
+            couplings: 0usize,
+            targets: 0usize,
+        },
+        places::Step {
+            size: 4usize,
+            node: 13usize,
+            diagonal: 2usize,
+            is_diagonal: false,
+            couplings: 1usize,
+            targets: 1usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 4usize,
+            diagonal: 5usize,
+            is_diagonal: false,
+            couplings: 3usize,
+            targets: 4usize,
+        },
+        places::Step {
+            size: 4usize,
+            node: 12usize,
+            diagonal: 7usize,
+            is_diagonal: false,
+            couplings: 4usize,
+            targets: 5usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 3usize,
+            diagonal: 10usize,
+            is_diagonal: false,
+            couplings: 6usize,
+            targets: 8usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 11usize,
+            diagonal: 12usize,
+            is_diagonal: false,
+            couplings: 7usize,
+            targets: 9usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 2usize,
+            diagonal: 13usize,
+            is_diagonal: true,
+            couplings: 7usize,
+            targets: 9usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 10usize,
+            diagonal: 16usize,
+            is_diagonal: false,
+            couplings: 9usize,
+            targets: 12usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 1usize,
+            diagonal: 18usize,
+            is_diagonal: false,
+            couplings: 10usize,
+            targets: 13usize,
+        },
+        places::Step {
+            size: 3usize,
+            node: 9usize,
+            diagonal: 22usize,
+            is_diagonal: false,
+            couplings: 13usize,
+            targets: 19usize,
+        },
+        places::Step {
+            size: 6usize,
+            node: 0usize,
+            diagonal: 25usize,
+            is_diagonal: true,
+            couplings: 15usize,
+            targets: 22usize,
+        },
+        places::Step {
+            size: 1usize,
+            node: 7usize,
+            diagonal: 30usize,
+            is_diagonal: false,
+            couplings: 19usize,
+            targets: 32usize,
+        },
+        places::Step {
+            size: 1usize,
+            node: 14usize,
+            diagonal: 34usize,
+            is_diagonal: false,
+            couplings: 22usize,
+            targets: 38usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 6usize,
+            diagonal: 37usize,
+            is_diagonal: false,
+            couplings: 24usize,
+            targets: 41usize,
+        },
+        places::Step {
+            size: 5usize,
+            node: 8usize,
+            diagonal: 39usize,
+            is_diagonal: false,
+            couplings: 25usize,
+            targets: 42usize,
+        },
+    ];
+    static SOFT_COUPLINGS: [places::Coupling; 25usize] = [
+        places::Coupling { size: 4usize, node: 13usize },
+        places::Coupling { size: 6usize, node: 4usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 4usize, node: 12usize },
+        places::Coupling { size: 6usize, node: 3usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 5usize, node: 11usize },
+        places::Coupling { size: 5usize, node: 10usize },
+        places::Coupling { size: 3usize, node: 9usize },
+        places::Coupling { size: 3usize, node: 9usize },
+        places::Coupling { size: 3usize, node: 9usize },
+        places::Coupling { size: 1usize, node: 14usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 14usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 7usize },
+        places::Coupling { size: 1usize, node: 14usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 14usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 6usize },
+        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 5usize, node: 8usize },
+    ];
+    static SOFT_TARGETS: [usize; 42usize] = [
+        2usize, 5usize, 6usize, 7usize, 7usize, 10usize, 11usize, 12usize, 12usize, 16usize, 17usize,
+        22usize, 22usize, 22usize, 23usize, 34usize, 24usize, 36usize, 39usize, 34usize, 36usize, 39usize,
+        30usize, 31usize, 34usize, 32usize, 35usize, 37usize, 33usize, 36usize, 38usize, 39usize, 34usize,
+        35usize, 37usize, 36usize, 38usize, 39usize, 37usize, 38usize, 39usize, 39usize,
+    ];
+    static SOFT_BODIES: [places::BodyPlace; 6usize] = [
+        places::BodyPlace { node: 0usize, diagonal: 25usize },
+        places::BodyPlace { node: 1usize, diagonal: 18usize },
+        places::BodyPlace { node: 2usize, diagonal: 13usize },
+        places::BodyPlace { node: 3usize, diagonal: 10usize },
+        places::BodyPlace { node: 4usize, diagonal: 5usize },
+        places::BodyPlace { node: 5usize, diagonal: 0usize },
+    ];
+    static SOFT_JOINTS: [places::JointPlace; 9usize] = [
+        places::JointPlace {
+            rows: 5usize,
+            node: 6usize,
+            diagonal: 37usize,
+            ends: [
+                ::core::option::Option::None,
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 0usize,
+                    slot: 0usize,
+                    block: places::Block { index: 28usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 1usize,
+            node: 7usize,
+            diagonal: 30usize,
+            ends: [
+                ::core::option::Option::None,
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 0usize,
+                    slot: 1usize,
+                    block: places::Block { index: 26usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 5usize,
+            node: 8usize,
+            diagonal: 39usize,
+            ends: [
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 0usize,
+                    slot: 2usize,
+                    block: places::Block { index: 29usize, transposed: false },
+                }),
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 1usize,
+                    slot: 0usize,
+                    block: places::Block { index: 21usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 3usize,
+            node: 9usize,
+            diagonal: 22usize,
+            ends: [
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 1usize,
+                    slot: 1usize,
+                    block: places::Block { index: 19usize, transposed: false },
+                }),
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 2usize,
+                    slot: 0usize,
+                    block: places::Block { index: 15usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 5usize,
+            node: 10usize,
+            diagonal: 16usize,
+            ends: [
+                ::core::option::Option::None,
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 2usize,
+                    slot: 1usize,
+                    block: places::Block { index: 14usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 5usize,
+            node: 11usize,
+            diagonal: 12usize,
+            ends: [
+                ::core::option::Option::None,
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 3usize,
+                    slot: 0usize,
+                    block: places::Block { index: 11usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 4usize,
+            node: 12usize,
+            diagonal: 7usize,
+            ends: [
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 3usize,
+                    slot: 1usize,
+                    block: places::Block { index: 8usize, transposed: true },
+                }),
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 4usize,
+                    slot: 0usize,
+                    block: places::Block { index: 6usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 4usize,
+            node: 13usize,
+            diagonal: 2usize,
+            ends: [
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 4usize,
+                    slot: 1usize,
+                    block: places::Block { index: 3usize, transposed: true },
+                }),
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 5usize,
+                    slot: 0usize,
+                    block: places::Block { index: 1usize, transposed: false },
+                }),
+            ],
+        },
+        places::JointPlace {
+            rows: 1usize,
+            node: 14usize,
+            diagonal: 34usize,
+            ends: [
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 0usize,
+                    slot: 3usize,
+                    block: places::Block { index: 27usize, transposed: false },
+                }),
+                ::core::option::Option::Some(places::EndPlace {
+                    body: 1usize,
+                    slot: 2usize,
+                    block: places::Block { index: 20usize, transposed: false },
+                }),
+            ],
+        },
+    ];
+    static SOFT_SHARED: [places::SharedPlace; 5usize] = [
+        places::SharedPlace {
+            body: 1usize,
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 24usize, transposed: true },
+        },
+        places::SharedPlace {
+            body: 3usize,
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 9usize, transposed: true },
+        },
+        places::SharedPlace {
+            body: 4usize,
+            first: 1usize,
+            second: 0usize,
+            block: places::Block { index: 4usize, transposed: true },
+        },
+        places::SharedPlace {
+            body: 1usize,
+            first: 2usize,
+            second: 0usize,
+            block: places::Block { index: 36usize, transposed: true },
+        },
+        places::SharedPlace {
+            body: 1usize,
+            first: 2usize,
+            second: 1usize,
+            block: places::Block { index: 23usize, transposed: false },
+        },
+    ];
+    fn soft_plan() -> places::Plan<'static> {
+        places::Plan {
+            elimination: places::Elimination {
+                steps: &SOFT_STEPS,
+                leading: 1usize,
+                couplings: &SOFT_COUPLINGS,
+                targets: &SOFT_TARGETS,
+            },
+            bodies: &SOFT_BODIES,
+            joints: &SOFT_JOINTS,
+            shared: &SOFT_SHARED,
+        }
+    }
     use ::ffrf::generated_support::mechanism as support;
     impl<T: ::ffrf::generated_support::Number> ::ffrf::mechanism::Ports<T> for SliderCrankPorts<'_, T> {
         fn port(&self, index: usize) -> ::core::option::Option<&dyn ::ffrf::mechanism::Port<T>> {
@@ -798,6 +1145,7 @@ const _: () = {
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.crank),
+                        chart: terms.chart.map(|all| &all.crank),
                     }),
                 ),
                 rod: ::ffrf::mechanism::BodyPort::new(
@@ -808,6 +1156,7 @@ const _: () = {
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.rod),
+                        chart: terms.chart.map(|all| &all.rod),
                     }),
                 ),
                 piston: ::ffrf::mechanism::BodyPort::new(
@@ -818,14 +1167,18 @@ const _: () = {
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.piston),
+                        chart: terms.chart.map(|all| &all.piston),
                     }),
                 ),
                 links: {
                     let mut states = state.links.iter();
                     let all = implicit.and_then(|terms| terms.subtracted);
                     let mut changes = all.map(|all| all.links.iter());
+                    let all = implicit.and_then(|terms| terms.chart);
+                    let mut charts = all.map(|all| all.links.iter());
                     self.links.each_ref().map(|body| {
                         let subtracted = changes.as_mut().and_then(::core::iter::Iterator::next);
+                        let chart = charts.as_mut().and_then(::core::iter::Iterator::next);
                         let state = states.next().copied();
                         ::ffrf::mechanism::BodyPort::new(
                             body,
@@ -835,6 +1188,7 @@ const _: () = {
                             implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                                 gamma_h: terms.gamma_h,
                                 subtracted: subtracted,
+                                chart: chart,
                             }),
                         )
                     })
@@ -887,18 +1241,37 @@ const _: () = {
                 links: ports.links.map(|port| port.state),
             }
         }
-        fn with_storage<R>(&self, use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, T>) -> R) -> R {
+        fn with_storage<R>(
+            &self,
+            soft: bool,
+            use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, T>) -> R,
+        ) -> R {
             let still = support::still::<T>();
-            use_it(&mut ::ffrf::mechanism::Storage {
-                blocks: &mut [[[::ffrf::generated_support::constant::<T>(0.0); 6]; 6]; 34usize],
-                solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
-                right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
-                shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
-                efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
-                rows: &mut [::ffrf::relations::Rows::none(); 8usize],
-                ends: &mut [[still; 2]; 8usize],
-                used: false,
-            })
+            if soft {
+                use_it(&mut ::ffrf::mechanism::Storage {
+                    blocks: &mut [[[::ffrf::generated_support::constant::<T>(0.0); 6]; 6]; 40usize],
+                    solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
+                    right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
+                    shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
+                    efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
+                    rows: &mut [::ffrf::relations::Rows::none(); 9usize],
+                    ends: &mut [[still; 2]; 9usize],
+                    soft_markers: &mut [[0; 2]; 1usize],
+                    used: false,
+                })
+            } else {
+                use_it(&mut ::ffrf::mechanism::Storage {
+                    blocks: &mut [[[::ffrf::generated_support::constant::<T>(0.0); 6]; 6]; 34usize],
+                    solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                    right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                    shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
+                    efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
+                    rows: &mut [::ffrf::relations::Rows::none(); 8usize],
+                    ends: &mut [[still; 2]; 8usize],
+                    soft_markers: &mut [[0; 2]; 0usize],
+                    used: false,
+                })
+            }
         }
         fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
             places::Plan {
@@ -943,6 +1316,15 @@ const _: () = {
                 ::ffrf::mechanism::Port::weigh(port, &self.gravity);
             }
             self.brake.apply(ports);
+        }
+        fn soft_plan(&self) -> ::ffrf::mechanism::Plan<'_> {
+            soft_plan()
+        }
+        fn soft(&self, index: usize) -> ::core::option::Option<::ffrf::mechanism::SoftLink<'_, T>> {
+            match index {
+                0usize => ::core::option::Option::Some(self.brake.soft()),
+                _ => ::core::option::Option::None,
+            }
         }
         fn treatment(&self) -> ::ffrf::mechanism::Treatment<T> {
             self.treatment

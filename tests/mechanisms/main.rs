@@ -13,6 +13,7 @@ mod scalars;
 mod scene;
 mod slider_crank;
 mod stack;
+mod stiff_supports;
 mod treatments;
 mod trees;
 mod user_forces;

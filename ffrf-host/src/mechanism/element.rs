@@ -1,6 +1,7 @@
 //! Force elements of any kind.
 
-use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Friction, Spring, TorsionSpring};
+use ffrf_codegen::mechanism::soft_row_count;
+use ffrf_runtime::forces::{Bushing, ConstantWrench, ForceElement, Friction, SoftRow, Spring, TorsionSpring};
 use ffrf_runtime::{MarkerMotion, MarkerStep, Wrench};
 use nalgebra::{RealField, Vector3, convert};
 
@@ -40,6 +41,17 @@ impl<T: RealField + Copy> ElementKind<T> {
         }
     }
 
+    /// The number of its soft rows, if implicit steps take it into their matrix.
+    pub(super) fn soft_row_count(&self) -> Option<usize> {
+        soft_row_count(match self {
+            Self::Spring(_) => "Spring",
+            Self::TorsionSpring(_) => "TorsionSpring",
+            Self::Bushing(_) => "Bushing",
+            Self::Friction(_) => "Friction",
+            Self::Constant(_) => "ConstantWrench",
+        })
+    }
+
     fn as_element(&self) -> &dyn ForceElement<T> {
         match self {
             Self::Spring(element) => element,
@@ -58,6 +70,10 @@ impl<T: RealField + Copy> ForceElement<T> for ElementKind<T> {
 
     fn wrenches_over(&self, first: &MarkerStep<T>, second: &MarkerStep<T>) -> [Wrench<T>; 2] {
         self.as_element().wrenches_over(first, second)
+    }
+
+    fn soften(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, push: &mut dyn FnMut(SoftRow<T>)) {
+        self.as_element().soften(first, second, push);
     }
 
     fn energy(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>) -> T {

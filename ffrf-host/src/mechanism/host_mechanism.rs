@@ -3,7 +3,7 @@
 use ffrf_codegen::mechanism::{JointTopology, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
     Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, Level, Plan, Port, Ports,
-    Regularisation, Storage, Treatment,
+    Regularisation, SoftLink, Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
 use ffrf_runtime::{
@@ -30,7 +30,10 @@ pub struct HostMechanism<T: RealField + Copy = f64> {
     actuators: Vec<ScheduledActuator<T>>,
     frictions: Vec<JointFriction<T>>,
     forces: Option<Box<Forces<T>>>,
+    topology: Topology,
     plan: OwnedPlan,
+    /// The plan with soft rows, and the elements that have them.
+    soft: Option<(OwnedPlan, Vec<usize>)>,
     treatment: Treatment<T>,
     regularisation: Regularisation<T>,
 }
@@ -71,7 +74,9 @@ impl HostMechanism {
             actuators: Vec::new(),
             frictions: Vec::new(),
             forces: None,
+            topology,
             plan,
+            soft: None,
             treatment: Treatment::projection(),
             regularisation,
         })
@@ -106,7 +111,9 @@ impl HostMechanism {
             actuators: self.actuators.iter().map(ScheduledActuator::cast).collect(),
             frictions: self.frictions.iter().map(JointFriction::cast).collect(),
             forces: None,
+            topology: self.topology.clone(),
             plan: self.plan.clone(),
+            soft: self.soft.clone(),
             treatment: match self.treatment {
                 Treatment::Projection { iterations, tolerance } => {
                     Treatment::Projection { iterations, tolerance: convert(tolerance) }
@@ -130,6 +137,22 @@ impl<T: RealField + Copy> HostMechanism<T> {
     #[must_use]
     pub fn with_elements(mut self, elements: Vec<Element<T>>) -> Self {
         self.elements = elements;
+        // elements that connect two things that move relative to each other; the rest stays a force
+        let (numbers, links): (Vec<usize>, Vec<JointTopology>) = self
+            .elements
+            .iter()
+            .enumerate()
+            .filter_map(|(number, element)| {
+                let rows = element.kind.soft_row_count()?;
+                let ends = [element.first.body, element.second.body];
+                (ends[0] != ends[1]).then_some((number, JointTopology { rows, ends }))
+            })
+            .unzip();
+        let whole = self.topology.with_soft_links(links);
+        self.soft = match MechanismPlan::new(&whole) {
+            Ok(plan) if !numbers.is_empty() => Some((OwnedPlan::new(&plan), numbers)),
+            _ => None,
+        };
         self
     }
 
@@ -272,12 +295,17 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
         implicit: Option<ImplicitTerms<'a, HostIncrement<T>, T>>,
     ) -> HostPorts<'a, T> {
         let bodies = self.bodies.iter().zip(&self.markers).zip(state);
+        let attached_ends = match (&self.soft, implicit) {
+            (Some((plan, _)), Some(ImplicitTerms { .. })) => &plan.attached_ends,
+            _ => &self.plan.attached_ends,
+        };
         let ports = bodies.enumerate().map(|(index, ((body, markers), state))| {
-            let terms = implicit.map(|ImplicitTerms { gamma_h, subtracted }| ImplicitTerms {
+            let terms = implicit.map(|ImplicitTerms { gamma_h, subtracted, chart }| ImplicitTerms {
                 gamma_h,
                 subtracted: subtracted.and_then(|all| all.0.get(index)),
+                chart: chart.and_then(|all| all.0.get(index)),
             });
-            let rows = vec![AttachedRows::empty(&body.undeformed()); self.plan.attached_ends[index]];
+            let rows = vec![AttachedRows::empty(&body.undeformed()); attached_ends[index]];
             BodyPort::new(body, markers.as_slice(), state, rows, terms)
         });
         HostPorts(ports.collect())
@@ -299,24 +327,38 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
         ports.0.into_iter().map(|port| port.state).collect()
     }
 
-    fn with_storage<R>(&self, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
-        let joints = self.connections.len();
+    fn with_storage<R>(&self, soft: bool, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
+        let (plan, links) = match &self.soft {
+            Some((plan, elements)) if soft => (plan, elements.len()),
+            _ => (&self.plan, 0),
+        };
+        let joints = self.connections.len() + links;
         let still = MarkerMotion::fixed(Vector3::zeros(), UnitQuaternion::identity());
-        let unknowns = || vec![[T::zero(); 6]; self.plan.node_count];
+        let unknowns = || vec![[T::zero(); 6]; plan.node_count];
         use_it(&mut Storage {
-            blocks: &mut vec![[[T::zero(); 6]; 6]; self.plan.block_count],
+            blocks: &mut vec![[[T::zero(); 6]; 6]; plan.block_count],
             solution: &mut unknowns(),
             right: &mut unknowns(),
             shift: &mut unknowns(),
             efforts: &mut vec![T::zero(); self.frictions.len()],
             rows: &mut vec![Rows::none(); joints],
             ends: &mut vec![[still; 2]; joints],
+            soft_markers: &mut vec![[0; 2]; links],
             used: false,
         })
     }
 
     fn plan(&self) -> Plan<'_> {
         self.plan.view()
+    }
+
+    fn soft_plan(&self) -> Plan<'_> {
+        self.soft.as_ref().map_or_else(|| self.plan.view(), |(plan, _)| plan.view())
+    }
+
+    fn soft(&self, index: usize) -> Option<SoftLink<'_, T>> {
+        let (_, elements) = self.soft.as_ref()?;
+        self.elements.get(*elements.get(index)?).map(Element::soft)
     }
 
     fn connections(&self) -> &[Connection<T>] {

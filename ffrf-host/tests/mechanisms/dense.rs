@@ -37,7 +37,8 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
     let mechanism = &case.mechanism;
     let offsets = offsets(states);
     let total = *offsets.last().unwrap();
-    let implicit = stage.map(|(gamma_h, increment)| ImplicitTerms { gamma_h, subtracted: Some(increment) });
+    let implicit =
+        stage.map(|(gamma_h, increment)| ImplicitTerms { gamma_h, subtracted: Some(increment), chart: None });
     let system = Constrained(mechanism);
     let found = system.evaluate(time, states.to_vec(), implicit, |ports, storage, _| {
         let mut accelerations = DVector::zeros(total);

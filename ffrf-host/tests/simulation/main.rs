@@ -4,5 +4,6 @@ mod convergence;
 mod events;
 mod reference_pendulum;
 mod scene_files;
+mod soft_rows;
 mod tradeoff;
 mod treatments;

@@ -1,5 +1,6 @@
 //! Force elements, friction that follows reactions, and forces of the user's own.
 
+use ffrf_codegen::mechanism::{JointTopology, soft_row_count};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
@@ -23,7 +24,13 @@ pub(super) struct Force {
 /// What a force is.
 pub(super) enum Nature {
     /// An element between two attachments: its type in `ffrf::forces`, it and both attachments as expressions.
-    Element { type_name: &'static str, kind: TokenStream, attachments: [TokenStream; 2] },
+    Element {
+        type_name: &'static str,
+        kind: TokenStream,
+        attachments: [TokenStream; 2],
+        /// The bodies at both ends, for each index of the range.
+        bodies: Vec<[Option<usize>; 2]>,
+    },
     /// Friction that follows the reaction of a joint, as an expression.
     Friction { value: TokenStream },
     /// A function of the user's own.
@@ -41,6 +48,26 @@ const KINDS: [(&str, &str, &[&str]); 8] = [
     ("friction", "Friction", &["limit", "speed", "viscous", "acts", "axis", "coefficient", "radius"]),
     (USER, "", &[]),
 ];
+
+impl Force {
+    /// The number of soft rows, if implicit steps take it into their matrix.
+    pub(super) fn soft_row_count(&self) -> Option<usize> {
+        match &self.nature {
+            Nature::Element { type_name, .. } => soft_row_count(type_name),
+            Nature::Friction { .. } | Nature::User { .. } => None,
+        }
+    }
+
+    /// What the order of elimination of implicit steps must know of each.
+    pub(super) fn soft_links(&self) -> Vec<JointTopology> {
+        match (&self.nature, self.soft_row_count()) {
+            (Nature::Element { bodies, .. }, Some(rows)) => {
+                bodies.iter().map(|ends| JointTopology { rows, ends: *ends }).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+}
 
 /// The force of an entry.
 pub(super) fn force(
@@ -72,10 +99,14 @@ pub(super) fn force(
         let attachments = attachments(&call, bodies, joints, range.as_ref(), scalar);
         let kind = kind(type_name, &call, joints, range.as_ref(), scalar);
         let (attachments, kind) = (mistakes.keep(attachments), mistakes.keep(kind));
-        Nature::Element { type_name, kind: kind?, attachments: attachments? }
+        let (attachments, bodies) = attachments?;
+        Nature::Element { type_name, kind: kind?, attachments, bodies }
     };
     Some(Force { name, range, nature })
 }
+
+/// Both attachments as expressions, and the bodies at them for each index of the range.
+type Attached = ([TokenStream; 2], Vec<[Option<usize>; 2]>);
 
 /// Kinds that act in a joint, or between two ends.
 fn at_joint(call: &Call) -> bool {
@@ -89,7 +120,7 @@ fn attachments(
     joints: &[Joint],
     range: Option<&Range>,
     scalar: &Scalar,
-) -> syn::Result<[TokenStream; 2]> {
+) -> syn::Result<Attached> {
     let at_joint = at_joint(call);
     let one_end = ["force", "moment"].iter().any(|kind| call.kind == kind);
     if at_joint && call.arguments.len() == 1 {
@@ -98,7 +129,7 @@ fn attachments(
         if let Some(option) = call.option("axis") {
             return Err(syn::Error::new(option.key.span(), "the axis is that of the joint"));
         }
-        return Ok(joint.attachments(joints, bodies, scalar));
+        return Ok((joint.attachments(joints, bodies, scalar), joint.bodies(joints)));
     }
     let (first, second) = if one_end {
         let [argument] = call.arguments("one end")?;
@@ -112,12 +143,15 @@ fn attachments(
         let [first, second] = call.arguments(expected)?;
         (end(first, bodies, range)?, end(second, bodies, range)?)
     };
-    if (0..range.map_or(1, Range::len)).any(|k| first.body(k) == second.body(k)) {
+    let connected: Vec<[Option<usize>; 2]> =
+        (0..range.map_or(1, Range::len)).map(|k| [first.body(k), second.body(k)]).collect();
+    if connected.iter().any(|[first, second]| first == second) {
         let message = "both ends of this element are on the same body, or on the ground";
         return Err(syn::Error::new(call.kind.span(), message));
     }
     let [one, other] = Axes::of(call, false)?.orientations(scalar);
-    Ok([first.attachment(bodies, scalar, &one), second.attachment(bodies, scalar, &other)])
+    let attachments = [first.attachment(bodies, scalar, &one), second.attachment(bodies, scalar, &other)];
+    Ok((attachments, connected))
 }
 
 fn needed(call: &Call, key: &str) -> syn::Result<TokenStream> {

@@ -90,6 +90,12 @@ impl NamedJoint {
         }
     }
 
+    /// The bodies at both ends, for each index of the range.
+    pub(super) fn bodies(&self, joints: &[Joint]) -> Vec<[Option<usize>; 2]> {
+        let ends = &self.of(joints).ends;
+        self.elements.iter().map(|element| [ends[0].body(*element), ends[1].body(*element)]).collect()
+    }
+
     /// Both attachments as expressions, in which the variable of the range has its value.
     pub(super) fn attachments(&self, joints: &[Joint], bodies: &[Body], scalar: &Scalar) -> [TokenStream; 2] {
         let joint = self.of(joints);

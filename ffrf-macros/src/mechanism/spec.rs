@@ -1,6 +1,6 @@
 //! From what the user wrote to a mechanism that can be emitted; every mistake is reported.
 
-use ffrf_codegen::mechanism::{MechanismPlan, Topology};
+use ffrf_codegen::mechanism::{MechanismPlan, Topology, TopologyError};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
@@ -32,6 +32,8 @@ pub(super) struct Spec {
     /// Number of joints, with drives.
     pub(super) connections: usize,
     pub(super) plan: MechanismPlan,
+    /// The plan with soft rows and their number of links, if there are any.
+    pub(super) soft: Option<(MechanismPlan, usize)>,
     pub(super) has_loops: bool,
 }
 
@@ -120,8 +122,13 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
     }
     mistakes.verdict(())?;
     let (topology, has_loops) = topology(&bodies, &joints, &drives, connections);
-    let plan = MechanismPlan::new(&topology)
-        .map_err(|error| syn::Error::new(input.name.span(), error.to_string()))?;
+    let refused = |error: TopologyError| syn::Error::new(input.name.span(), error.to_string());
+    let plan = MechanismPlan::new(&topology).map_err(refused)?;
+    let links: Vec<_> = forces.iter().flat_map(Force::soft_links).collect();
+    let soft = match links.len() {
+        0 => None,
+        count => Some((MechanismPlan::new(&topology.with_soft_links(links)).map_err(refused)?, count)),
+    };
     Ok(Spec {
         scalar,
         bodies,
@@ -134,6 +141,7 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         sensors,
         connections,
         plan,
+        soft,
         has_loops,
     })
 }

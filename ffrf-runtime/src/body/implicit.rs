@@ -3,6 +3,7 @@
 use nalgebra::RealField;
 
 use super::{Eliminated, FlexibleBody, GeneralisedForce, Increment, ModalVector, Motion, Prepared, State};
+use crate::rotation::{cayley_omega, cayley_rate};
 
 /// The deformed quantities of a stage, with γ h D_ff + γ² h² K_ff added to Θ_ff.
 #[derive(Debug, Clone)]
@@ -75,6 +76,22 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
             rate.modal_coordinates.add_scaled(-T::one(), &subtracted.modal_coordinates);
         }
         rate
+    }
+
+    /// Lets the rates of frames' places see the end of a linearly implicit stage, as those of modes do: for soft rows, which
+    /// draw frames back. `rate`: what [`implicit_rate`](Self::implicit_rate) has given.
+    pub(crate) fn follow_end(&self, rate: &mut Self, gamma_h: T) {
+        rate.position += rate.velocity * gamma_h;
+        rate.rotation += cayley_rate(&self.rotation, &rate.angular_velocity) * gamma_h;
+    }
+
+    /// The parts of the places as a twist, in the body frame of `state`, in the chart at `at`, which has led to it.
+    pub(crate) fn displacements(&self, at: &Self, state: &State<V, T>) -> Motion<V, T> {
+        Motion {
+            linear: state.to_body(&self.position),
+            angular: cayley_omega(&at.rotation, &self.rotation),
+            modal: self.modal_coordinates.clone(),
+        }
     }
 
     /// [`implicit_rate`](Self::implicit_rate) of a free body under `force`; `None` if its mass is not positive definite.

@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::ForceElement;
+use super::{ForceElement, SoftRow};
 use crate::body::{MarkerMotion, MarkerStep, Wrench};
 
 /// Of 1 + trace, which is four at no turn and zero at half a turn.
@@ -77,6 +77,24 @@ impl<T: RealField + Copy> ForceElement<T> for Bushing<T> {
             moment += (change(last, next) - change(next, last)) * on_axial[i] + change(i, i) * on_trace;
         }
         [Wrench { force, moment: moment + between.cross(&force) }, Wrench { force: -force, moment: -moment }]
+    }
+
+    /// Six: along and about the axes of the first triad, with the stiffness of small turns.
+    fn soften(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, push: &mut dyn FnMut(SoftRow<T>)) {
+        let between = second.position - first.position;
+        let axes = first.axes();
+        let zero = Vector3::zeros();
+        for (row, (stiffness, damping)) in self.stiffness.into_iter().zip(self.damping).enumerate() {
+            let axis: Vector3<T> = axes.column(row % 3).into();
+            let (on_first, on_second) = if row < 3 {
+                // the rate is that seen from the first triad, which turns
+                ((-axis, -between.cross(&axis)), (axis, zero))
+            } else {
+                ((zero, -axis), (zero, axis))
+            };
+            let [first, second] = [on_first, on_second].map(|(force, moment)| Wrench { force, moment });
+            push(SoftRow { first, second, stiffness, damping });
+        }
     }
 
     /// Stored energy. Units: J.

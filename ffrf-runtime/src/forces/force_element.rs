@@ -2,6 +2,7 @@
 
 use nalgebra::RealField;
 
+use super::SoftRow;
 use crate::body::{MarkerMotion, MarkerStep, Wrench};
 
 /// A force element: wrenches on two ends in their motion.
@@ -13,6 +14,15 @@ pub trait ForceElement<T: RealField + Copy> {
     /// there; others act as in the means.
     fn wrenches_over(&self, first: &MarkerStep<T>, second: &MarkerStep<T>) -> [Wrench<T>; 2] {
         self.wrenches(&first.mean, &second.mean)
+    }
+
+    /// Pushes the directions in which it resists like a spring and a damper, which implicit steps take into their matrix:
+    /// always as many, of those that change nothing too. None by default.
+    ///
+    /// They need not be the exact derivatives of the wrenches: the order of steps does not depend on them, how large a step may
+    /// be does. Where the exact ones push apart they are left out.
+    fn soften(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, push: &mut dyn FnMut(SoftRow<T>)) {
+        let _ = (first, second, push);
     }
 
     /// Stored energy; zero for elements that store none. Units: J.

@@ -8,6 +8,7 @@ mod force_element;
 mod friction;
 mod gravity;
 mod marker_load;
+mod soft_row;
 mod spring;
 mod torsion_spring;
 
@@ -19,5 +20,6 @@ pub use force_element::ForceElement;
 pub use friction::Friction;
 pub use gravity::Gravity;
 pub use marker_load::{Frame, MarkerLoad};
+pub use soft_row::SoftRow;
 pub use spring::Spring;
 pub use torsion_spring::{TorsionSpring, relative_angle};

@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::ForceElement;
+use super::{ForceElement, SoftRow};
 use crate::body::{MarkerMotion, MarkerStep, Wrench};
 
 /// A linear spring with a damper along the line between two points.
@@ -44,6 +44,36 @@ impl<T: RealField + Copy> ForceElement<T> for Spring<T> {
         let pull = direction * (self.stiffness * (both * half - self.rest_length) + self.damping * rate);
         let moment = Vector3::zeros();
         [Wrench { force: pull, moment }, Wrench { force: -pull, moment }]
+    }
+
+    /// Three: along the line, and across it, where a stretched spring draws back by its force over its length. Where the ends
+    /// meet, a spring without length pulls in every direction, and any other in none.
+    fn soften(&self, first: &MarkerMotion<T>, second: &MarkerMotion<T>, push: &mut dyn FnMut(SoftRow<T>)) {
+        let between = second.position - first.position;
+        let length = between.norm();
+        let apart = length > T::default_epsilon();
+        let along = if apart { between / length } else { Vector3::z() };
+        let least = along.iamin();
+        let across = along.cross(&Vector3::ith(least, T::one())).normalize();
+        let free = if self.rest_length > T::zero() { T::zero() } else { self.stiffness };
+        let (along_line, across_line) = match apart {
+            true => (self.stiffness, self.stiffness * (length - self.rest_length) / length),
+            false => (free, free),
+        };
+        let damping = if apart { self.damping } else { T::zero() };
+        let moment = Vector3::zeros();
+        for (direction, stiffness, damping) in [
+            (along, along_line, damping),
+            (across, across_line, T::zero()),
+            (along.cross(&across), across_line, T::zero()),
+        ] {
+            push(SoftRow {
+                first: Wrench { force: -direction, moment },
+                second: Wrench { force: direction, moment },
+                stiffness,
+                damping,
+            });
+        }
     }
 
     /// Stored energy. Units: J.

@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::ForceElement;
+use super::{ForceElement, SoftRow};
 use crate::body::{MarkerMotion, MarkerStep, Wrench};
 
 /// A spring with a damper about the z axis of the first triad, for joints that keep both z axes together.
@@ -50,6 +50,18 @@ impl<T: RealField + Copy> ForceElement<T> for TorsionSpring<T> {
         let moment = gradient * (self.stiffness * angle) + axis * (self.damping * rate);
         let force = Vector3::zeros();
         [Wrench { force, moment }, Wrench { force, moment: -moment }]
+    }
+
+    /// One: about the axis.
+    fn soften(&self, first: &MarkerMotion<T>, _second: &MarkerMotion<T>, push: &mut dyn FnMut(SoftRow<T>)) {
+        let axis = first.orientation.transform_vector(&Vector3::z());
+        let force = Vector3::zeros();
+        push(SoftRow {
+            first: Wrench { force, moment: -axis },
+            second: Wrench { force, moment: axis },
+            stiffness: self.stiffness,
+            damping: self.damping,
+        });
     }
 
     /// Stored energy. Units: J.

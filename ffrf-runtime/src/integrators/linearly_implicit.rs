@@ -24,6 +24,9 @@
 //! k_q = r_q + γ h k_f
 //! ```
 //!
+//! Mechanisms have force elements between markers in J as well, as soft rows of their constrained solve, see
+//! [`SoftLink`](crate::mechanism::SoftLink); then k_x = r_x + γ h k_v for every place.
+//!
 //! Modes with h ω >> 1 are damped away, not resolved: that is the point. Modes with h ω of order one lose
 //! amplitude; what must ring for long needs a step that resolves it (h ω < 0.1), or the explicit method.
 //!

@@ -38,13 +38,14 @@ impl<A> Constrained<'_, A> {
         A: Assembly<T>,
         T: RealField + Copy,
     {
-        let gamma_h = Some(nalgebra::convert(GAMMA_H));
+        // force elements do not resist: they stand as the state says
+        let gamma_h = [Some(nalgebra::convert(GAMMA_H)), None];
         let anything = T::max_value().unwrap_or(T::one());
-        let (mut state, first) = self.project(time, state, gamma_h, CORRECTIONS, anything)?;
+        let (mut state, first) = self.project_against(time, state, gamma_h, CORRECTIONS, anything)?;
         for _ in 1..PASSES {
-            state = self.project(time, state, gamma_h, CORRECTIONS, anything)?.0;
+            state = self.project_against(time, state, gamma_h, CORRECTIONS, anything)?.0;
         }
-        let (state, _) = self.project(time, state, gamma_h, LAST_CORRECTIONS, tolerance)?;
+        let (state, _) = self.project_against(time, state, gamma_h, LAST_CORRECTIONS, tolerance)?;
         Ok((state, first))
     }
 }

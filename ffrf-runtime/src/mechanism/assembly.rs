@@ -2,7 +2,9 @@
 
 use nalgebra::RealField;
 
-use super::{Connection, ImplicitTerms, JointFriction, Level, Plan, Ports, Regularisation, Storage, Target};
+use super::{
+    Connection, ImplicitTerms, JointFriction, Level, Plan, Ports, Regularisation, SoftLink, Storage, Target,
+};
 use crate::integrators::{Forcing, LocalError, Tolerances, VectorSpace};
 
 /// How constraints are kept while time advances.
@@ -73,11 +75,20 @@ pub trait Assembly<T: RealField + Copy> {
     fn correct(&self, ports: &mut Self::Ports<'_>, level: Level);
     /// The state of `ports`.
     fn state(&self, ports: Self::Ports<'_>) -> Self::State;
-    /// Numbers for one evaluation.
-    fn with_storage<R>(&self, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R;
+    /// Numbers for one evaluation; with `soft`, for the rows of soft links too.
+    fn with_storage<R>(&self, soft: bool, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R;
 
     /// Where everything stands.
     fn plan(&self) -> Plan<'_>;
+    /// Where everything stands in evaluations with soft rows: [`plan`](Self::plan) with soft links behind the joints.
+    fn soft_plan(&self) -> Plan<'_> {
+        self.plan()
+    }
+    /// Force elements that implicit steps take into their matrix, counted from zero without gaps.
+    fn soft(&self, index: usize) -> Option<SoftLink<'_, T>> {
+        let _ = index;
+        None
+    }
     /// The joints.
     fn connections(&self) -> &[Connection<T>];
     /// The name of a joint, for reports; empty where names come at run time.

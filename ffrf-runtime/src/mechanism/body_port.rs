@@ -36,6 +36,8 @@ pub struct ImplicitTerms<'a, I, T> {
     pub gamma_h: T,
     /// What is subtracted from the rates.
     pub subtracted: Option<&'a I>,
+    /// With soft rows: the increment that has led to the state, in whose chart the rates of all places see the end of the stage.
+    pub chart: Option<&'a I>,
 }
 
 impl<I, T: Copy> Clone for ImplicitTerms<'_, I, T> {
@@ -117,8 +119,12 @@ where
         }
         match self.implicit {
             None => increment.rate(&self.state, accelerations),
-            Some(ImplicitTerms { gamma_h, subtracted }) => {
-                increment.implicit_rate(&self.state, accelerations, gamma_h, subtracted)
+            Some(ImplicitTerms { gamma_h, subtracted, chart }) => {
+                let mut rate = increment.implicit_rate(&self.state, accelerations, gamma_h, subtracted);
+                if chart.is_some() {
+                    increment.follow_end(&mut rate, gamma_h);
+                }
+                rate
             }
         }
     }
@@ -219,7 +225,7 @@ where
     fn conserve(&mut self, phase: Phase) {
         match (&mut self.span, self.implicit) {
             (Some((_, shown)), _) => *shown = phase,
-            (place, Some(ImplicitTerms { gamma_h, subtracted: Some(velocities) })) => {
+            (place, Some(ImplicitTerms { gamma_h, subtracted: Some(velocities), .. })) => {
                 let span = Span::new(&self.state, velocities, gamma_h + gamma_h);
                 self.state = span.middle.clone();
                 self.axes = matrix(&self.state.orientation);
@@ -243,7 +249,7 @@ where
                 self.net = prepared.net_force(&self.force);
                 body.modal_mass().factor().map(|modal| prepared.eliminate(modal))
             }
-            Some(ImplicitTerms { gamma_h, subtracted }) => {
+            Some(ImplicitTerms { gamma_h, subtracted, .. }) => {
                 ImplicitBody::new(body, state, gamma_h).map(|stage| {
                     self.net = stage.right(body, state, &self.force, subtracted);
                     stage.eliminated
@@ -349,6 +355,15 @@ where
         match self.implicit {
             Some(ImplicitTerms { subtracted: Some(subtracted), .. }) => {
                 Some(self.twist(marker, &subtracted.velocities(&self.state)))
+            }
+            _ => None,
+        }
+    }
+
+    fn subtracted_displacement(&self, marker: usize) -> Option<[Vector3<T>; 2]> {
+        match self.implicit {
+            Some(ImplicitTerms { subtracted: Some(subtracted), chart: Some(chart), .. }) => {
+                Some(self.twist(marker, &subtracted.displacements(chart, &self.state)))
             }
             _ => None,
         }

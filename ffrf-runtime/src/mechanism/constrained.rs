@@ -17,9 +17,10 @@ fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
     assembly: &'a A,
     ports: &'a mut A::Ports<'_>,
     storage: &'a mut Storage<'s, T>,
+    soft: bool,
 ) -> Constraints<'a, 's, T> {
     Constraints {
-        plan: assembly.plan(),
+        plan: if soft { assembly.soft_plan() } else { assembly.plan() },
         connections: assembly.connections(),
         ports,
         storage,
@@ -63,11 +64,15 @@ impl<A> Constrained<'_, A> {
         T: RealField + Copy,
     {
         let assembly = self.0;
+        let soft = implicit.filter(|terms| terms.chart.is_some()).map(|terms| terms.gamma_h);
         let mut ports = assembly.ports(state, implicit);
         assembly.load(time, &mut ports);
-        assembly.with_storage(|storage| {
-            let mut constraints = constraints(assembly, &mut ports, storage);
+        assembly.with_storage(soft.is_some(), |storage| {
+            let mut constraints = constraints(assembly, &mut ports, storage, soft.is_some());
             constraints.evaluate(&|joint| assembly.drive(joint, time));
+            if let Some(gamma_h) = soft {
+                constraints.soften(assembly, gamma_h);
+            }
             let pivot = constraints.factor()?;
             if let Some(efforts) = efforts {
                 constraints.rub_as(assembly, efforts);
@@ -87,7 +92,7 @@ impl<A> Constrained<'_, A> {
         T: RealField + Copy,
     {
         let gamma_h = step * nalgebra::convert(0.5);
-        let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(velocities) });
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(velocities), chart: None });
         let mut ports = self.0.ports(begin.clone(), implicit);
         for index in 0..self.0.plan().bodies.len() {
             if let Some(port) = ports.port_mut(index) {
@@ -101,7 +106,7 @@ impl<A> Constrained<'_, A> {
     ///
     /// One factorisation; the corrections are repeated with it, at most as often as the treatment says. After a linearly
     /// implicit step they must be measured by the matrix of its stages (`gamma_h`): measured by the mass matrix alone they
-    /// push stiff modes, and the next step pushes back, without end. Errors: a residual is left.
+    /// push stiff modes, and the next step pushes back, without end; the same with soft rows. Errors: a residual is left.
     pub fn project<T>(
         &self,
         time: T,
@@ -114,16 +119,34 @@ impl<A> Constrained<'_, A> {
         A: Assembly<T>,
         T: RealField + Copy,
     {
+        let soft = gamma_h.filter(|_| self.0.soft(0).is_some());
+        self.project_against(time, state, [gamma_h, soft], iterations, tolerance)
+    }
+
+    /// [`project`](Self::project) with γ h of the modes and, if they resist, of soft rows.
+    pub(super) fn project_against<T>(
+        &self,
+        time: T,
+        state: A::State,
+        [gamma_h, soft]: [Option<T>; 2],
+        iterations: usize,
+        tolerance: T,
+    ) -> Result<(A::State, Drift<T>), StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
         let assembly = self.0;
+        let with_soft = soft.is_some();
         if assembly.connections().is_empty() {
             return Ok((state, Drift::none()));
         }
         let round_off: T = T::default_epsilon() * nalgebra::convert(16.0);
-        let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None });
+        let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None, chart: None });
         let mut ports = assembly.ports(state, implicit);
-        let drift = assembly.with_storage(|storage| {
+        let drift = assembly.with_storage(with_soft, |storage| {
             let drive = |joint| assembly.drive(joint, time);
-            let mut evaluated = constraints(assembly, &mut ports, storage);
+            let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
             evaluated.evaluate(&drive);
             let mut left = evaluated.residuals();
             let drift = Drift { position: left.0[0], velocity: left.0[1] };
@@ -134,14 +157,17 @@ impl<A> Constrained<'_, A> {
                     if open <= round_off {
                         break;
                     }
-                    let mut evaluated = constraints(assembly, &mut ports, storage);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
                     if !factored {
+                        if let Some(gamma_h) = soft {
+                            evaluated.soften(assembly, gamma_h);
+                        }
                         evaluated.factor()?;
                         factored = true;
                     }
                     evaluated.correct(level);
                     assembly.correct(&mut ports, level);
-                    let mut evaluated = constraints(assembly, &mut ports, storage);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
                     evaluated.evaluate(&drive);
                     left = evaluated.residuals();
                 }
@@ -238,14 +264,15 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
         subtracted: Option<&Self::Increment>,
     ) -> Result<Self::Increment, StepError> {
         let state = self.0.retract(origin, increment);
-        let implicit = Some(ImplicitTerms { gamma_h, subtracted });
+        let chart = self.0.soft(0).map(|_| increment);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
         let target = self.0.treatment().target();
         if subtracted.is_none() || self.0.friction(0).is_none() {
             return self
                 .solve(time, state, implicit, target, None, |ports, _, _| self.0.collect(ports, increment));
         }
         // multipliers of what is left after a subtraction are no reactions: those of the whole are found first
-        let whole = Some(ImplicitTerms { gamma_h, subtracted: None });
+        let whole = Some(ImplicitTerms { gamma_h, subtracted: None, chart });
         self.solve(time, state.clone(), whole, target, None, |_, storage, _| {
             let efforts = Some(&*storage.efforts);
             self.solve(time, state, implicit, target, efforts, |ports, _, _| self.0.collect(ports, increment))
@@ -265,7 +292,8 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
         let assembly = self.0;
         let state = assembly.retract(origin, increment);
         let subtracted = elastic_at_rest(self, origin, increment, accelerations);
-        let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(&subtracted) });
+        let chart = assembly.soft(0).map(|_| increment);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(&subtracted), chart });
         let treatment = assembly.treatment();
         let target = match treatment {
             Treatment::Index3 => Target::Position { share: gamma_h * gamma_h },
@@ -275,7 +303,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
         self.solve(time, state, implicit, target, None, |ports, storage, _| {
             let accelerations = assembly.velocities_only(&assembly.collect(ports, increment));
             let places = matches!(treatment, Treatment::StabilisedIndex2).then(|| {
-                let mut constraints = constraints(assembly, ports, storage);
+                let mut constraints = constraints(assembly, ports, storage, chart.is_some());
                 constraints.correct(Level::Position);
                 let moved = assembly.velocities_only(&assembly.collect(ports, increment));
                 displaced(self, origin, &moved)
@@ -306,7 +334,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
         let assembly = self.0;
         let half = step * nalgebra::convert(0.5);
         let mut ports = self.in_step(begin, velocities, step);
-        assembly.with_storage(|storage| {
+        assembly.with_storage(false, |storage| {
             for phase in [Phase::End, Phase::Mean] {
                 for index in 0..assembly.plan().bodies.len() {
                     if let Some(port) = ports.port_mut(index) {
@@ -316,7 +344,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
                 if phase == Phase::Mean {
                     assembly.load(time + half, &mut ports);
                 }
-                let mut constraints = constraints(assembly, &mut ports, storage);
+                let mut constraints = constraints(assembly, &mut ports, storage, false);
                 let moment = if phase == Phase::End { step } else { half };
                 constraints.evaluate(&|joint| assembly.drive(joint, time + moment));
                 match phase {

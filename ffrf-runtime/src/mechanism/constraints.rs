@@ -2,6 +2,7 @@
 
 use nalgebra::RealField;
 
+use super::soft_rows::{attach_soft_rows, pull_soft_rows};
 use super::{Connection, Plan, Ports};
 use crate::body::MarkerMotion;
 use crate::integrators::StepError;
@@ -66,12 +67,14 @@ pub struct Storage<'a, T: RealField + Copy> {
     pub right: &'a mut [[T; 6]],
     /// μ of each row, at the place of its multiplier.
     pub shift: &'a mut [[T; 6]],
-    /// Rows of each joint.
+    /// Rows of each joint, then of each soft link.
     pub rows: &'a mut [Rows<T>],
     /// What each friction that follows reactions exerts; as many as there are.
     pub efforts: &'a mut [T],
-    /// Motion of both ends of each joint.
+    /// Motion of both ends of each joint, then of each soft link.
     pub ends: &'a mut [[MarkerMotion<T>; 2]],
+    /// The markers at both ends of each soft link; none in explicit evaluations.
+    pub soft_markers: &'a mut [[usize; 2]],
     /// Whether blocks hold something besides zeros.
     pub used: bool,
 }
@@ -139,7 +142,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Errors: a body or the system has no factors.
     pub fn factor(&mut self) -> Result<T, StepError> {
         let share = self.regularisation.share;
-        let Storage { blocks, shift: shifts, rows, used, .. } = &mut *self.storage;
+        let Storage { blocks, shift: shifts, rows, used, soft_markers, .. } = &mut *self.storage;
         if core::mem::replace(used, true) {
             blocks.fill(zeros());
         }
@@ -176,6 +179,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                     *kept = shift;
                 }
             }
+        }
+        let hard = self.connections.len();
+        if let (Some(places @ [_, ..]), Some(rows)) = (self.plan.joints.get(hard..), rows.get(hard..)) {
+            attach_soft_rows(places, rows, soft_markers, self.ports, blocks);
         }
         for shared in self.plan.shared {
             let (rows, columns) = match shared.block.transposed {
@@ -233,6 +240,13 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             }
             *right = wanted;
         }
+        let hard = self.connections.len();
+        let Storage { rows, ends, soft_markers, right, .. } = &mut *self.storage;
+        if let (Some(places @ [_, ..]), Some(rows), Some(ends)) =
+            (self.plan.joints.get(hard..), rows.get(hard..), ends.get(hard..))
+        {
+            pull_soft_rows(places, rows, ends, soft_markers, self.ports, right);
+        }
         self.solve();
     }
 
@@ -264,7 +278,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             }
         }
         let evaluated = self.storage.rows.iter().zip(self.storage.ends.iter());
-        for (place, (rows, ends)) in self.plan.joints.iter().zip(evaluated) {
+        // soft rows resist corrections, and ask for none
+        for (place, (rows, ends)) in self.plan.joints.iter().zip(evaluated).take(self.connections.len()) {
             let Some(right) = self.storage.right.get_mut(place.node) else { continue };
             *right = match level {
                 Level::Position => scaled(-T::one(), rows.residuals()),
@@ -320,7 +335,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// The largest residual of positions and of velocities, and the joint with the largest position residual.
     pub fn residuals(&self) -> ([T; 2], usize) {
         let mut largest = ([T::zero(); 2], 0);
-        for (joint, (rows, ends)) in self.storage.rows.iter().zip(self.storage.ends.iter()).enumerate() {
+        let evaluated = self.storage.rows.iter().zip(self.storage.ends.iter()).take(self.connections.len());
+        for (joint, (rows, ends)) in evaluated.enumerate() {
             for (position, velocity) in rows.residuals().iter().zip(&rows.velocities(ends)) {
                 let (position, velocity) = (position.abs(), velocity.abs());
                 if is_worse(position, largest.0[0]) {

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{Attachment, Ports};
+use super::{Attachment, Ports, SoftLink};
 use crate::body::MarkerStep;
 use crate::forces::ForceElement;
 
@@ -18,6 +18,11 @@ pub struct Element<K, T: RealField + Copy = f64> {
 }
 
 impl<K: ForceElement<T>, T: RealField + Copy> Element<K, T> {
+    /// As implicit steps take it into their matrix.
+    pub fn soft(&self) -> SoftLink<'_, T> {
+        SoftLink { element: &self.kind, ends: [&self.first, &self.second] }
+    }
+
     /// Adds its wrenches to the forces on the bodies.
     pub fn apply(&self, ports: &mut dyn Ports<T>) {
         let wrenches = match self.over_step(ports) {

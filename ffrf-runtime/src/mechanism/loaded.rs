@@ -3,7 +3,8 @@
 use nalgebra::RealField;
 
 use super::{
-    Assembly, Connection, ImplicitTerms, JointFriction, Level, Plan, Regularisation, Storage, Treatment,
+    Assembly, Connection, ImplicitTerms, JointFriction, Level, Plan, Regularisation, SoftLink, Storage,
+    Treatment,
 };
 use crate::integrators::{Forcing, LocalError, Tolerances};
 
@@ -74,12 +75,20 @@ where
         self.assembly.state(ports)
     }
 
-    fn with_storage<R>(&self, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
-        self.assembly.with_storage(use_it)
+    fn with_storage<R>(&self, soft: bool, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
+        self.assembly.with_storage(soft, use_it)
     }
 
     fn plan(&self) -> Plan<'_> {
         self.assembly.plan()
+    }
+
+    fn soft_plan(&self) -> Plan<'_> {
+        self.assembly.soft_plan()
+    }
+
+    fn soft(&self, index: usize) -> Option<SoftLink<'_, T>> {
+        self.assembly.soft(index)
     }
 
     fn connections(&self) -> &[Connection<T>] {

@@ -21,6 +21,8 @@ mod port;
 mod rigid_frame;
 mod rubbing;
 mod sensing;
+mod soft_rows;
+mod softening;
 mod triads;
 
 pub use assembly::{Assembly, Treatment};
@@ -40,4 +42,5 @@ pub use port::{Phase, Port, Ports};
 pub use rigid_frame::RigidFrame;
 pub use rubbing::FRICTION_PASSES;
 pub use sensing::{acceleration, reaction};
+pub use soft_rows::SoftLink;
 pub use triads::{along_axis, second_triad, turn_about};

@@ -64,6 +64,8 @@ pub trait Port<T: RealField + Copy> {
     fn subtract_modal_accelerations(&self, slot: usize, from: &mut [T; 6]);
     /// The velocities [v; ω] (inertial) of a marker in what a linearly implicit stage subtracts, if it does.
     fn subtracted_twist(&self, marker: usize) -> Option<[Vector3<T>; 2]>;
+    /// As [`subtracted_twist`](Self::subtracted_twist), of what is subtracted from the rates of places: for soft rows.
+    fn subtracted_displacement(&self, marker: usize) -> Option<[Vector3<T>; 2]>;
     /// Sets the resulting motion: that of the frame, and of the modes on their own.
     fn finish(&mut self, rigid: &[T; 6]);
     /// Subtracts what the *negative* multipliers of attached joint `slot` do to the modes.

@@ -57,6 +57,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             .plan
             .joints
             .iter()
+            .take(self.connections.len())
             .filter_map(|place| Some(self.storage.solution.get(place.node)?.iter().take(place.rows)))
             .flatten();
         multipliers.fold(T::zero(), |largest, multiplier| largest.max(multiplier.abs()))

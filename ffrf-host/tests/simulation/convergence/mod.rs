@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 mod conservation;
-mod problem;
+pub mod problem;
 
 use std::sync::OnceLock;
 

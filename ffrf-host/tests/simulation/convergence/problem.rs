@@ -27,7 +27,7 @@ fn body(seed: u64, damped: bool) -> (HostBody, Vec<Marker<HostModal>>) {
     (HostBody::new(&model, &ffrf_codegen::fidelity::Fidelity::Full), HostBody::markers(&model))
 }
 
-fn on(body: usize, marker: usize) -> Attachment<f64> {
+pub fn on(body: usize, marker: usize) -> Attachment<f64> {
     Attachment {
         body: Some(body),
         marker,

@@ -1,9 +1,10 @@
 //! What integrators need of a mechanism: the implementation of `Assembly`.
 
+use ffrf_codegen::mechanism::MechanismPlan;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use super::forces::forces;
+use super::forces::{forces, friction_count};
 use super::plan::plan;
 use super::{Names, markers_of, slice, slice_mut};
 use crate::mechanism::bodies::Body;
@@ -14,13 +15,33 @@ use crate::mechanism::spec::Spec;
 pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
     let Names { model, state, increment, ports } = names;
     let (bound, used, t) = (spec.scalar.bound(), spec.scalar.used(), spec.scalar.name());
-    let (constants, plan_expression) = plan(&spec.plan);
+    let (mut constants, plan_expression) = plan(&spec.plan, "");
+    let soft_storage = spec.soft.as_ref().map(|(soft, links)| {
+        let (of_soft, expression) = plan(soft, "SOFT_");
+        constants.extend(quote! {
+            #of_soft
+            fn soft_plan() -> places::Plan<'static> {
+                #expression
+            }
+        });
+        storage(spec, soft, *links)
+    });
+    let only_hard = storage(spec, &spec.plan, 0);
+    let storage = match soft_storage {
+        None => only_hard,
+        Some(with_soft) => quote! {
+            if soft {
+                #with_soft
+            } else {
+                #only_hard
+            }
+        },
+    };
     let of_ports = ports_of(ports, spec);
     let lifetime_and_type = match spec.scalar {
         Scalar::Generic => quote! { <'a, T> },
         _ => quote! { <'a> },
     };
-    let (joints, blocks, nodes) = (spec.connections, spec.plan.block_count, spec.plan.node_count);
     let made = spec.bodies.iter().map(|body| port(body, spec));
     let each = |owner: &str, action: TokenStream| {
         let owner: TokenStream = syn::Ident::new(owner, proc_macro2::Span::call_site()).into_token_stream();
@@ -50,7 +71,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
     });
     let weigh = each("ports", quote! { ::ffrf::mechanism::Port::weigh(port, &self.gravity); });
     let forces = forces(spec);
-    let (applied, friction, frictions) = (&forces.applied, &forces.friction, forces.friction_count);
+    let (applied, friction, soft) = (&forces.applied, &forces.friction, &forces.soft);
     let driven = spec.drives.iter().map(|drive| {
         let (field, connection) = (&drive.name, drive.first);
         match &drive.range {
@@ -117,6 +138,8 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
             unused_mut
         )]
         const _: () = {
+            // by its path: a mechanism may have any of these names
+            use ::ffrf::mechanism as places;
             #constants
             use ::ffrf::generated_support::mechanism as support;
 
@@ -152,19 +175,11 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
 
                 fn with_storage<R>(
                     &self,
+                    soft: bool,
                     use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, #t>) -> R,
                 ) -> R {
                     let still = support::still::<#t>();
-                    use_it(&mut ::ffrf::mechanism::Storage {
-                        blocks: &mut [[[#zero; 6]; 6]; #blocks],
-                        solution: &mut [[#zero; 6]; #nodes],
-                        right: &mut [[#zero; 6]; #nodes],
-                        shift: &mut [[#zero; 6]; #nodes],
-                        efforts: &mut [#zero; #frictions],
-                        rows: &mut [::ffrf::relations::Rows::none(); #joints],
-                        ends: &mut [[still; 2]; #joints],
-                        used: false,
-                    })
+                    #storage
                 }
 
                 fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
@@ -196,6 +211,8 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 }
 
                 #friction
+
+                #soft
 
                 fn treatment(&self) -> ::ffrf::mechanism::Treatment<#t> {
                     self.treatment
@@ -262,6 +279,27 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
     }
 }
 
+/// The call of `use_it` with the numbers of a plan.
+fn storage(spec: &Spec, plan: &MechanismPlan, links: usize) -> TokenStream {
+    let t = spec.scalar.name();
+    let zero = quote! { ::ffrf::generated_support::constant::<#t>(0.0) };
+    let (blocks, nodes, frictions) = (plan.block_count, plan.node_count, friction_count(spec));
+    let all = spec.connections + links;
+    quote! {
+        use_it(&mut ::ffrf::mechanism::Storage {
+            blocks: &mut [[[#zero; 6]; 6]; #blocks],
+            solution: &mut [[#zero; 6]; #nodes],
+            right: &mut [[#zero; 6]; #nodes],
+            shift: &mut [[#zero; 6]; #nodes],
+            efforts: &mut [#zero; #frictions],
+            rows: &mut [::ffrf::relations::Rows::none(); #all],
+            ends: &mut [[still; 2]; #all],
+            soft_markers: &mut [[0; 2]; #links],
+            used: false,
+        })
+    }
+}
+
 fn ident(name: &str) -> TokenStream {
     let ident = syn::Ident::new(name, proc_macro2::Span::call_site());
     quote! { #ident }
@@ -270,17 +308,19 @@ fn ident(name: &str) -> TokenStream {
 /// The ports of one body, or of an array of them.
 fn port(body: &Body, spec: &Spec) -> TokenStream {
     let (field, markers, t) = (&body.name, markers_of(body), spec.scalar.name());
-    let terms = |subtracted: TokenStream| {
+    let terms = |subtracted: TokenStream, chart: TokenStream| {
         quote! {
             implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                 gamma_h: terms.gamma_h,
                 subtracted: #subtracted,
+                chart: #chart,
             })
         }
     };
     match body.count {
         None => {
-            let terms = terms(quote! { terms.subtracted.map(|all| &all.#field) });
+            let of_body = |what: TokenStream| quote! { terms.#what.map(|all| &all.#field) };
+            let terms = terms(of_body(quote! { subtracted }), of_body(quote! { chart }));
             quote! {
                 #field: ::ffrf::mechanism::BodyPort::new(
                     &self.#field,
@@ -292,14 +332,17 @@ fn port(body: &Body, spec: &Spec) -> TokenStream {
             }
         }
         Some(_) => {
-            let terms = terms(quote! { subtracted });
+            let terms = terms(quote! { subtracted }, quote! { chart });
             quote! {
                 #field: {
                     let mut states = state.#field.iter();
                     let all = implicit.and_then(|terms| terms.subtracted);
                     let mut changes = all.map(|all| all.#field.iter());
+                    let all = implicit.and_then(|terms| terms.chart);
+                    let mut charts = all.map(|all| all.#field.iter());
                     self.#field.each_ref().map(|body| {
                         let subtracted = changes.as_mut().and_then(::core::iter::Iterator::next);
+                        let chart = charts.as_mut().and_then(::core::iter::Iterator::next);
                         let state = states.next().copied();
                         ::ffrf::mechanism::BodyPort::new(
                             body,

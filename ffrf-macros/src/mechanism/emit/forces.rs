@@ -53,7 +53,8 @@ pub(super) struct Acting {
     pub(super) applied: TokenStream,
     /// The method that finds friction that follows reactions, if there is any.
     pub(super) friction: TokenStream,
-    pub(super) friction_count: usize,
+    /// The method that finds what implicit steps take into their matrix, if there is any.
+    pub(super) soft: TokenStream,
 }
 
 /// What the forces of a mechanism do.
@@ -71,19 +72,19 @@ pub(super) fn forces(spec: &Spec) -> Acting {
         }
     });
     let applied = quote! { #(#applied)* };
-    let mut friction_count = 0;
+    let mut count = 0;
     let mut arms = TokenStream::new();
     for Force { name, range, nature } in &spec.forces {
         let Nature::Friction { .. } = nature else { continue };
-        let first = friction_count;
-        friction_count += range.as_ref().map_or(1, crate::mechanism::call::Range::len);
-        let last = friction_count - 1;
+        let first = count;
+        count += range.as_ref().map_or(1, crate::mechanism::call::Range::len);
+        let last = count - 1;
         arms.extend(match range {
             None => quote! { #first => ::core::option::Option::Some(self.#name), },
             Some(_) => quote! { #first..=#last => self.#name.get(index - #first).copied(), },
         });
     }
-    let friction = if friction_count == 0 {
+    let friction = if count == 0 {
         TokenStream::new()
     } else {
         quote! {
@@ -95,5 +96,43 @@ pub(super) fn forces(spec: &Spec) -> Acting {
             }
         }
     };
-    Acting { applied, friction, friction_count }
+    Acting { applied, friction, soft: soft(spec) }
+}
+
+/// The number of frictions that follow reactions.
+pub(super) fn friction_count(spec: &Spec) -> usize {
+    let frictions = spec.forces.iter().filter(|force| matches!(force.nature, Nature::Friction { .. }));
+    frictions.map(|force| force.range.as_ref().map_or(1, crate::mechanism::call::Range::len)).sum()
+}
+
+/// The method that finds soft links.
+fn soft(spec: &Spec) -> TokenStream {
+    let t = spec.scalar.name();
+    let (mut count, mut arms) = (0, TokenStream::new());
+    for force in spec.forces.iter().filter(|force| force.soft_row_count().is_some()) {
+        let (name, first) = (&force.name, count);
+        count += force.range.as_ref().map_or(1, crate::mechanism::call::Range::len);
+        let last = count - 1;
+        arms.extend(match &force.range {
+            None => quote! { #first => ::core::option::Option::Some(self.#name.soft()), },
+            Some(_) => quote! {
+                #first..=#last => self.#name.get(index - #first).map(::ffrf::mechanism::Element::soft),
+            },
+        });
+    }
+    if count == 0 {
+        return TokenStream::new();
+    }
+    quote! {
+        fn soft_plan(&self) -> ::ffrf::mechanism::Plan<'_> {
+            soft_plan()
+        }
+
+        fn soft(&self, index: usize) -> ::core::option::Option<::ffrf::mechanism::SoftLink<'_, #t>> {
+            match index {
+                #arms
+                _ => ::core::option::Option::None,
+            }
+        }
+    }
 }

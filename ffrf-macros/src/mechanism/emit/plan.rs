@@ -2,10 +2,13 @@
 
 use ffrf_codegen::mechanism::{BlockPlace, MechanismPlan};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
-/// The constants of a plan, and the plan made of them as an expression.
-pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
+/// The constants of a plan, and the plan made of them as an expression. `prefix`: what their names begin with.
+pub(super) fn plan(plan: &MechanismPlan, prefix: &str) -> (TokenStream, TokenStream) {
+    let named = |name: &str| format_ident!("{prefix}{name}");
+    let [all_steps, all_couplings, all_targets] = ["STEPS", "COUPLINGS", "TARGETS"].map(named);
+    let [all_bodies, all_joints, all_shared] = ["BODIES", "JOINTS", "SHARED"].map(named);
     let block = |block: &BlockPlace| {
         let BlockPlace { index, transposed } = block;
         quote! { places::Block { index: #index, transposed: #transposed } }
@@ -52,23 +55,21 @@ pub(super) fn plan(plan: &MechanismPlan) -> (TokenStream, TokenStream) {
     let leading = plan.leading;
     let (body_count, joint_count, shared_count) = (plan.bodies.len(), plan.joints.len(), plan.shared.len());
     let constants = quote! {
-        // by its path: a mechanism may have any of these names
-        use ::ffrf::mechanism as places;
-        static STEPS: [places::Step; #step_count] = [#(#steps),*];
-        static COUPLINGS: [places::Coupling; #coupling_count] = [#(#couplings),*];
-        static TARGETS: [usize; #target_count] = [#(#targets),*];
-        static BODIES: [places::BodyPlace; #body_count] = [#(#bodies),*];
-        static JOINTS: [places::JointPlace; #joint_count] = [#(#joints),*];
-        static SHARED: [places::SharedPlace; #shared_count] = [#(#shared),*];
+        static #all_steps: [places::Step; #step_count] = [#(#steps),*];
+        static #all_couplings: [places::Coupling; #coupling_count] = [#(#couplings),*];
+        static #all_targets: [usize; #target_count] = [#(#targets),*];
+        static #all_bodies: [places::BodyPlace; #body_count] = [#(#bodies),*];
+        static #all_joints: [places::JointPlace; #joint_count] = [#(#joints),*];
+        static #all_shared: [places::SharedPlace; #shared_count] = [#(#shared),*];
     };
     let expression = quote! {
         places::Plan {
             elimination: places::Elimination {
-                steps: &STEPS, leading: #leading, couplings: &COUPLINGS, targets: &TARGETS,
+                steps: &#all_steps, leading: #leading, couplings: &#all_couplings, targets: &#all_targets,
             },
-            bodies: &BODIES,
-            joints: &JOINTS,
-            shared: &SHARED,
+            bodies: &#all_bodies,
+            joints: &#all_joints,
+            shared: &#all_shared,
         }
     };
     (constants, expression)

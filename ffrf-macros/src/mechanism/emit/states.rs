@@ -27,7 +27,7 @@ pub(super) fn states(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
         let (field, doc) = (&body.name, format!("Body `{}`.", body.name));
         let (kind, modal) = (body.kind(&spec.scalar), modal(body, spec));
         let rows = (body.first..body.first + body.len())
-            .map(|index| spec.plan.attached_ends[index])
+            .map(|index| spec.soft.as_ref().map_or(&spec.plan, |(plan, _)| plan).attached_ends[index])
             .max()
             .unwrap_or(0);
         let rows = quote! { [::ffrf::mechanism::AttachedRows<#modal, #t>; #rows] };

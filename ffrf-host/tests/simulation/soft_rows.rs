@@ -1,0 +1,204 @@
+//! Stiff force elements in implicit steps: order, any stiffness and damping, and the joint in the limit, with flexible bodies
+//! and joints in the loop.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+use ffrf_host::mechanism::{Element, ElementKind};
+use ffrf_host::{HostMechanism, HostModal};
+use ffrf_runtime::forces::{Bushing, Effort, Friction, Spring, TorsionSpring};
+use ffrf_runtime::mechanism::{Assembly, Attachment, Constrained, Treatment};
+use ffrf_runtime::{
+    FreeBody, GeneralisedAlpha, State, StepError, StepReport, Tolerances, step_dormand_prince,
+    step_linearly_implicit, step_linearly_implicit_euler,
+};
+use nalgebra::Vector3;
+
+use crate::convergence::problem::{Blocks, blocks, differences, double_pendulum, on};
+
+type States = Vec<State<HostModal>>;
+
+const PROJECTION: Treatment<f64> = Treatment::Projection { iterations: 8, tolerance: 1e-9 };
+
+/// Units: s.
+const DURATION: f64 = 0.4;
+
+/// Deviation of a measured order from the theoretical one: the next power still shows.
+const SLOPE: f64 = 0.35;
+
+/// The pivot of the pendulum's upper body, on the ground.
+fn ground() -> Attachment<f64> {
+    Attachment { body: None, ..on(0, 0) }
+}
+
+/// Springs, a torsion spring, a bushing and friction, each with this stiffness and damping, on and in the pendulum; lengths
+/// without force as they are in `states`.
+fn elements(mechanism: &HostMechanism, states: &States, [stiffness, damping]: [f64; 2]) -> Vec<Element<f64>> {
+    let ports = mechanism.ports(states.clone(), None);
+    let anchor = Attachment { position: Vector3::new(0.7, -0.4, 0.9), ..ground() };
+    let spring = |first: Attachment<f64>, second: Attachment<f64>| Element {
+        kind: ElementKind::Spring(Spring {
+            stiffness,
+            damping,
+            rest_length: (second.motion(&ports).position - first.motion(&ports).position).norm(),
+        }),
+        first,
+        second,
+    };
+    let coil = TorsionSpring { stiffness, damping, rest_angle: 0.0 };
+    let bushing = Bushing { stiffness: [stiffness; 6], damping: [damping; 6] };
+    let friction = Friction { effort: Effort::About, limit: damping, speed: 1.0, viscous: damping };
+    let (pivot, tip, root) = (on(0, 1), on(0, 0), on(1, 1));
+    vec![
+        spring(anchor, on(1, 0)),
+        spring(anchor, tip),
+        Element { kind: ElementKind::TorsionSpring(coil), first: ground(), second: pivot },
+        Element { kind: ElementKind::Bushing(bushing), first: tip, second: root },
+        Element { kind: ElementKind::Friction(friction), first: tip, second: root },
+    ]
+}
+
+fn pendulum(treatment: Treatment<f64>, resistance: [f64; 2]) -> (HostMechanism, States) {
+    let (mechanism, states) = double_pendulum(treatment, true);
+    let elements = elements(&mechanism, &states, resistance);
+    (mechanism.with_elements(elements), states)
+}
+
+type Stepper<'a> = dyn FnMut(&States, f64, f64) -> Result<(States, StepReport), StepError> + 'a;
+
+fn run(mechanism: &HostMechanism, mut state: States, steps: usize, step: &mut Stepper<'_>) -> Blocks {
+    let h = DURATION / steps as f64;
+    for k in 0..steps {
+        state =
+            step(&state, k as f64 * h, h).unwrap_or_else(|error| panic!("step {k} of {steps}: {error}")).0;
+    }
+    blocks(mechanism, &state, DURATION)
+}
+
+/// Places, velocities and reactions converge to those of explicit steps of order five with this order.
+fn assert_order(
+    name: &str,
+    treatment: Treatment<f64>,
+    first: usize,
+    expected: f64,
+    end: impl Fn(&HostMechanism, States, usize) -> Blocks,
+) {
+    let resistance = [30.0, 0.4];
+    let (mechanism, state) = pendulum(PROJECTION, resistance);
+    let system = Constrained(&mechanism);
+    let reference =
+        run(&mechanism, state, 1600, &mut |state, time, h| step_dormand_prince(&system, state, time, h));
+    let errors: Vec<[f64; 3]> = (0..3)
+        .map(|k| {
+            let (mechanism, state) = pendulum(treatment, resistance);
+            differences(&end(&mechanism, state, first << k), &reference)
+        })
+        .collect();
+    for (block, what) in ["places", "velocities", "reactions"].into_iter().enumerate() {
+        let slopes: Vec<f64> =
+            errors.windows(2).map(|pair| (pair[0][block] / pair[1][block]).log2()).collect();
+        eprintln!(
+            "{name}, {what}: errors {:?}, orders {slopes:.2?}",
+            errors.iter().map(|e| e[block]).collect::<Vec<_>>()
+        );
+        assert!((slopes[1] - expected).abs() < SLOPE, "{name}, {what}: {slopes:?}");
+    }
+}
+
+fn alpha(mechanism: &HostMechanism, state: States, steps: usize) -> Blocks {
+    let tolerances = Tolerances { relative: 1e-13, absolute: 1e-14 };
+    let method = GeneralisedAlpha { iterations: 40, tolerances, ..GeneralisedAlpha::new() };
+    let system = Constrained(mechanism);
+    let mut memory = method.start(&system, &state, 0.0, DURATION / steps as f64).unwrap();
+    run(mechanism, state, steps, &mut |state, time, h| method.step(&system, &mut memory, state, time, h))
+}
+
+#[test]
+fn the_linearly_implicit_method_has_order_two_with_soft_rows() {
+    assert_order("ROS2", PROJECTION, 400, 2.0, |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        run(mechanism, state, steps, &mut |state, time, h| step_linearly_implicit(&system, state, time, h))
+    });
+}
+
+#[test]
+fn linearly_implicit_euler_has_order_one_with_soft_rows() {
+    assert_order("linearly implicit Euler", PROJECTION, 800, 1.0, |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        run(mechanism, state, steps, &mut |state, time, h| {
+            step_linearly_implicit_euler(&system, state, time, h)
+        })
+    });
+}
+
+#[test]
+fn generalised_alpha_has_order_two_with_soft_rows() {
+    for treatment in [PROJECTION, Treatment::Index3, Treatment::StabilisedIndex2] {
+        assert_order(&format!("generalised-α, {treatment:?}"), treatment, 400, 2.0, alpha);
+    }
+}
+
+/// The pendulum as it stands without deformation, with elements that store nothing there; it moves.
+fn undeformed_pendulum(resistance: [f64; 2]) -> (HostMechanism, States) {
+    let (mechanism, mut states) = double_pendulum(PROJECTION, true);
+    for (state, body) in states.iter_mut().zip(mechanism.bodies()) {
+        let still = State::at_rest(body);
+        state.orientation = still.orientation;
+        state.modal_coordinates = still.modal_coordinates;
+    }
+    let system = Constrained(&mechanism);
+    let states = system.assemble(0.0, states.clone(), 1e-12).unwrap().0;
+    let elements = elements(&mechanism, &states, resistance);
+    (mechanism.with_elements(elements), states)
+}
+
+/// Energy of bodies, elements and gravity. Units: J.
+fn energy(mechanism: &HostMechanism, states: &States) -> f64 {
+    let bodies = mechanism.bodies().iter().zip(states).map(|(body, state)| {
+        let free = FreeBody::new(body.clone()).with_state(state.clone());
+        free.kinetic_energy() + free.elastic_energy() + free.potential_energy(&mechanism.gravity())
+    });
+    let ports = mechanism.ports(states.clone(), None);
+    bodies.sum::<f64>() + mechanism.elements().iter().map(|element| element.energy(&ports)).sum::<f64>()
+}
+
+/// From nothing to far beyond what an explicit step survives. Units: those of stiffness and damping.
+const RESISTANCES: [f64; 6] = [0.0, 1.0, 1e3, 1e6, 1e9, 1e12];
+
+#[test]
+fn a_fixed_step_is_stable_for_every_stiffness_and_damping() {
+    const STEP: f64 = 1e-4;
+    const STEPS: usize = 400;
+    for stiffness in RESISTANCES {
+        for damping in RESISTANCES {
+            let (mechanism, start) = undeformed_pendulum([stiffness, damping]);
+            let system = Constrained(&mechanism);
+            let before = energy(&mechanism, &start);
+            for (name, method) in [("ROS2", true), ("Euler", false)] {
+                let mut state = start.clone();
+                let mut largest = 0.0_f64;
+                for k in 0..STEPS {
+                    let time = k as f64 * STEP;
+                    let next = match method {
+                        true => step_linearly_implicit(&system, &state, time, STEP),
+                        false => step_linearly_implicit_euler(&system, &state, time, STEP),
+                    };
+                    state = next
+                        .unwrap_or_else(|error| {
+                            panic!("{name}, {stiffness:e}, {damping:e}, step {k}: {error}")
+                        })
+                        .0;
+                    // the first steps take away what the state stores against stiff elements
+                    if k >= 10 {
+                        largest = largest.max(energy(&mechanism, &state));
+                    }
+                }
+                eprintln!(
+                    "{name}, k {stiffness:e}, d {damping:e}: energy {before:.3e}, then at most {largest:.3e}"
+                );
+                assert!(
+                    largest.is_finite() && largest < 2.0 * before,
+                    "{name}, {stiffness:e}, {damping:e}: {largest:e}"
+                );
+            }
+        }
+    }
+}
