@@ -131,7 +131,11 @@ fn describe_models(text: &mut String, plan: &Plan) {
         text.push_str("\nterms of the kinetic energy: their largest share of it in the scene\n");
     }
     for term in &plan.motion.terms {
-        let verdict = if plan.configuration.fidelity.keeps(term.term) { "kept" } else { "dropped" };
+        let verdict = match (plan.configuration.modes, plan.configuration.fidelity.keeps(term.term)) {
+            (0, _) => "kept as far as a rigid body has it",
+            (_, true) => "kept",
+            (_, false) => "dropped",
+        };
         let _ = writeln!(text, "  {} {}: {:.1e}: {verdict}", term.body, term.term.name(), term.share);
     }
     text.push_str("\nmodels: their error with exact steps\n");

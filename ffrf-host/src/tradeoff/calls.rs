@@ -1,26 +1,31 @@
 //! The calls of the macros that make a scene with a configuration: what is planned, as code.
 //!
-//! What the macro does not have (friction, formulas of time) stands in comments at its place.
+//! What the macro does not have (formulas of time, inputs of actuators) stands in comments at its place.
 
 use std::fmt::Write as _;
+use std::path::{Component, Path, PathBuf};
 
 use ffrf_codegen::{Fidelity, ScalarType};
 
 use super::configuration::Configuration;
 use crate::scene::file::{BodyTable, ForceTable, FunctionValue, JointTable, SceneFile, Vector};
 
-/// The calls. `title`: name of the mechanism; `modes`: for each body, none of rigid ones.
+/// The calls. `folder`: that of the scene, from where the calls are to stand; `title`: name of the mechanism; `modes`: for each
+/// body, none of rigid ones.
 pub(super) fn calls(
     file: &SceneFile,
+    folder: &Path,
     title: &str,
     modes: &[Option<usize>],
     configuration: &Configuration,
 ) -> String {
-    let mut text = String::from("// models: paths are relative to the folder of Cargo.toml\n");
+    let mut text = String::from(
+        "// paths of models: from where this was planned, which is to be the folder of Cargo.toml\n",
+    );
     for ((name, table), modes) in file.bodies.iter().zip(modes) {
         if let (Some(model), Some(modes)) = (&table.model, modes) {
             let _ = writeln!(text, "ffrf::flexible_body! {{\n    pub struct {} {{", camel(name));
-            let _ = writeln!(text, "        model: {:?},\n        modes: ..{modes},", model);
+            let _ = writeln!(text, "        model: {:?},\n        modes: ..{modes},", tidy(folder, model));
             if configuration.fidelity != Fidelity::Full && *modes > 0 {
                 let _ = writeln!(text, "        fidelity: {},", configuration.fidelity);
             }
@@ -31,7 +36,10 @@ pub(super) fn calls(
         }
     }
     let _ = writeln!(text, "ffrf::mechanism! {{\n    pub struct {} {{", camel(title));
-    let bodies = file.bodies.iter().zip(modes).map(|((name, table), modes)| body(name, table, *modes));
+    let bodies = file.bodies.iter().zip(modes).map(|((name, table), modes)| {
+        let free = if is_held(file, name) { "" } else { "free " };
+        format!("{name}: {free}{},", body(name, table, *modes))
+    });
     section(&mut text, "bodies", bodies.collect());
     if file.simulation.gravity != [0.0; 3] {
         let _ = writeln!(text, "        gravity: {:?},", file.simulation.gravity);
@@ -64,12 +72,33 @@ fn section(text: &mut String, name: &str, lines: Vec<String>) {
     text.push_str("        },\n");
 }
 
+/// Whether a joint ends on the body; what flies is said to.
+fn is_held(file: &SceneFile, body: &str) -> bool {
+    let on_body = |end: &String| end.split('.').next() == Some(body);
+    file.joints.iter().any(|(_, table)| on_body(&table.first) || on_body(&table.second))
+}
+
+/// The path of a file that a scene names, without the folders that `..` leaves again, and with `/` everywhere.
+fn tidy(folder: &Path, name: &str) -> String {
+    let mut path = PathBuf::new();
+    for part in folder.join(name).components() {
+        match (part, path.components().next_back()) {
+            (Component::CurDir, _) => {}
+            (Component::ParentDir, Some(Component::Normal(_))) => {
+                path.pop();
+            }
+            _ => path.push(part),
+        }
+    }
+    path.display().to_string().replace(std::path::MAIN_SEPARATOR, "/")
+}
+
 fn body(name: &str, table: &BodyTable, modes: Option<usize>) -> String {
     match (modes, table.mass) {
-        (Some(0), _) => format!("{name}: rigid {},", camel(name)),
-        (Some(_), _) => format!("{name}: {},", camel(name)),
+        (Some(0), _) => format!("rigid {}", camel(name)),
+        (Some(_), _) => camel(name),
         (None, mass) => {
-            let mut text = format!("{name}: rigid {{ mass: {:?}", mass.unwrap_or(0.0));
+            let mut text = format!("rigid {{ mass: {:?}", mass.unwrap_or(0.0));
             if let Some(center) = table.center_of_mass.filter(|center| *center != [0.0; 3]) {
                 let _ = write!(text, ", center_of_mass: {center:?}");
             }
@@ -80,7 +109,7 @@ fn body(name: &str, table: &BodyTable, modes: Option<usize>) -> String {
                 let markers = table.markers.iter().map(|(name, place)| format!("{name}: {place:?}"));
                 let _ = write!(text, ", markers: {{ {} }}", markers.collect::<Vec<_>>().join(", "));
             }
-            text + " },"
+            text + " }"
         }
     }
 }
@@ -167,8 +196,27 @@ fn force(name: &str, table: &ForceTable) -> String {
             let value = table.value.unwrap_or([0.0; 3]);
             format!("{name}: {}({second}, value: {value:?}, frame: {frame}),", table.kind)
         }
+        "friction" => {
+            let mut text = format!("{name}: friction({at}");
+            if let Some(acts) = &table.acts {
+                let _ = write!(text, ", acts: {acts}");
+            }
+            let numbers = [
+                ("limit", table.limit),
+                ("coefficient", table.coefficient),
+                ("radius", table.radius),
+                ("speed", table.speed),
+                ("viscous", table.damping),
+            ];
+            for (what, number) in numbers {
+                if let Some(number) = number {
+                    let _ = write!(text, ", {what}: {number:?}");
+                }
+            }
+            text + "),"
+        }
         "actuator" => format!("{name}: actuator({at}), // set its inputs between steps"),
-        other => format!("// {name}: {other} is no part of the macro: an actuator, set between steps"),
+        other => format!("// {name}: {other} is no part of the macro"),
     }
 }
 
@@ -191,6 +239,13 @@ fn camel(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn models_are_named_from_where_the_scene_is_named() {
+        assert_eq!(tidy(Path::new("models/scenes"), "../rod.json"), "models/rod.json");
+        assert_eq!(tidy(Path::new("./scenes"), "../../rod.json"), "../rod.json");
+        assert_eq!(tidy(Path::new(""), "rod.json"), "rod.json");
+    }
 
     #[test]
     fn names_become_types() {

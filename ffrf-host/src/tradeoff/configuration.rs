@@ -53,12 +53,12 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Every combination, each once and in a fixed order; without modes all fidelities are the same body.
+    /// Every combination, each once and in a fixed order; without modes all fidelities are the same body, which is called
+    /// `full` whichever are asked for.
     pub fn configurations(&self) -> Vec<Configuration> {
         let mut all: Vec<Configuration> = Vec::new();
         for modes in &self.modes {
-            let fidelities =
-                if *modes == 0 { &self.fidelities[..1.min(self.fidelities.len())] } else { &self.fidelities };
+            let fidelities = if *modes == 0 { &[Fidelity::Full] } else { self.fidelities.as_slice() };
             for fidelity in fidelities {
                 for scalar in &self.scalars {
                     for integrator in &self.integrators {
@@ -88,7 +88,7 @@ mod tests {
     fn every_combination_is_there_once() {
         let axes = Axes {
             modes: vec![0, 2, 2],
-            fidelities: vec![Fidelity::Full, Fidelity::Linear],
+            fidelities: vec![Fidelity::Linear, Fidelity::Full],
             scalars: vec![ScalarType::F64, ScalarType::F32],
             integrators: vec![Integrator::Rk4],
             steps: vec![1e-3, 1e-4, 1e-5],

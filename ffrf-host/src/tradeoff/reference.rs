@@ -1,10 +1,12 @@
 //! What errors are taken against: every mode and term, integrated with error control, twice.
 
 use ffrf_codegen::Fidelity;
+use ffrf_runtime::{Observables, State};
 
-use super::channel::Channel;
+use super::channel::{Channel, Source};
 use super::trajectory::{History, trajectory};
 use super::{Quantity, Study, TradeoffError, Variant};
+use crate::HostBody;
 use crate::scene::{Integrator, StepChoice};
 
 /// How the reference is computed.
@@ -36,8 +38,8 @@ pub struct Reference {
     pub times: Vec<f64>,
     /// The channels at these times.
     pub history: History,
-    /// What errors of each channel are divided by: the farthest that a place goes from where it began, the largest size of
-    /// anything else. Units: those of the channel.
+    /// What errors of each channel are divided by: the farthest that a place goes from where it began, the largest kinetic and
+    /// elastic energy, the largest size of anything else. Units: those of the channel.
     pub scales: Vec<f64>,
     /// Its own error in each channel, over the scale: the difference to a run of a coarser tolerance, which is less exact.
     pub own_errors: Vec<f64>,
@@ -72,9 +74,10 @@ impl Reference {
         everything.extend(Channel::states(&variant.scene));
         let times = study.times();
         let (mut history, steps) = controlled(study, &variant, &everything, &times, options.tolerance)?;
-        let states = history.values.iter_mut().map(|row| row.split_off(width)).collect();
+        let states: Vec<Vec<f64>> = history.values.iter_mut().map(|row| row.split_off(width)).collect();
         let (coarse, _) = controlled(study, &variant, &channels, &times, COARSER * options.tolerance)?;
-        let scales = scales(&channels, &history);
+        let moving = states.iter().map(|row| motion_energy(&variant, row)).fold(0.0, f64::max);
+        let scales = scales(&channels, &history, moving);
         let mut reference = Self {
             channels,
             times,
@@ -141,7 +144,22 @@ fn distance(channel: &Channel, exact: &[f64], found: &[f64]) -> f64 {
     if channel.is_orientation() { by(1.0).min(by(-1.0)) } else { by(1.0) }
 }
 
-fn scales(channels: &[Channel], history: &History) -> Vec<f64> {
+/// Kinetic and elastic energy of all bodies, from the numbers of their states. Units: J.
+fn motion_energy(variant: &Variant, numbers: &[f64]) -> f64 {
+    let mut numbers = numbers.iter().copied();
+    let one = |body: &HostBody| {
+        let mut state = State::at_rest(body);
+        state.set_numbers(&mut numbers);
+        let (q, velocity) = (&state.modal_coordinates, state.body_velocity());
+        body.kinetic_energy(q, &velocity, &state.angular_velocity, &state.modal_rates)
+            + body.elastic_energy(q)
+    };
+    variant.scene.mechanism.bodies().iter().map(one).sum()
+}
+
+/// `moving`: the largest kinetic and elastic energy (J), the scale of energies: where the potential energy is zero is a choice,
+/// and all together may be zero throughout.
+fn scales(channels: &[Channel], history: &History, moving: f64) -> Vec<f64> {
     let mut start = 0;
     let own: Vec<f64> = channels
         .iter()
@@ -149,6 +167,9 @@ fn scales(channels: &[Channel], history: &History) -> Vec<f64> {
             let range = start..start + channel.width();
             start = range.end;
             let first = history.values.first().map(|row| &row[range.clone()]);
+            if channel.source == Source::Energy {
+                return moving;
+            }
             let sizes = history.values.iter().map(|row| match first {
                 Some(first) if channel.is_place() => distance(channel, first, &row[range.clone()]),
                 _ => row[range.clone()].iter().map(|x| x * x).sum::<f64>().sqrt(),

@@ -121,7 +121,7 @@ impl Study {
     pub fn macro_calls(&self, title: &str, configuration: &Configuration) -> String {
         let modes: Vec<Option<usize>> =
             self.available.iter().map(|most| most.map(|most| most.min(configuration.modes))).collect();
-        super::calls::calls(&self.file, title, &modes, configuration)
+        super::calls::calls(&self.file, &self.folder, title, &modes, configuration)
     }
 
     /// The flexible body `index` with all its modes and other terms. Errors: its model cannot be read.

@@ -119,7 +119,8 @@ fn a_plan_of_the_rotor_keeps_its_budget_and_is_cheap() {
 fn a_plan_of_the_slider_crank_keeps_its_budget_and_is_cheap() {
     let study = study("slider_crank.toml", 4e-3, 20.0);
     let reaction = [Quantity::Sensor("bearing".to_owned()), Quantity::Sensor("stroke".to_owned())];
-    compare("slider-crank", &study, 3e-2, &reaction, vec![0, 1, 2, 4], steps(5e-5, 8));
+    // the sixth mode, along the rod, makes the force on the crank: fewer are off by a third
+    compare("slider-crank", &study, 3e-2, &reaction, vec![0, 4, 6, 8], steps(4e-5, 5));
 }
 
 /// The runs of a study are those of the simulation itself.
