@@ -25,3 +25,8 @@ struct Readme;
 #[cfg(doctest)]
 #[doc = include_str!("../docs/mechanisms.md")]
 struct Mechanisms;
+
+/// The example of a family, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/tradeoff.md")]
+struct Tradeoff;

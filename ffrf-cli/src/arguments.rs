@@ -1,9 +1,11 @@
 //! The command line.
 
+mod budget;
 mod code;
 mod interfaces;
 mod linearise;
 mod simulate;
+mod tradeoff;
 
 use std::path::PathBuf;
 
@@ -11,10 +13,12 @@ use clap::{ArgGroup, Args, Parser, Subcommand};
 use ffrf_fe::import::{INFLATED_LIMIT, MassForm};
 use ffrf_model::Units;
 
+pub use budget::{Budget, Core, TargetIntegrator, TargetScalar};
 pub use code::{Generate, Inspect};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
+pub use tradeoff::{Plan, Tradeoff};
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.
 #[derive(Debug, Parser)]
@@ -53,7 +57,33 @@ pub enum Command {
     /// Eigenfrequencies and whirl of a mechanism against the speed at which it turns.
     #[command(after_help = CAMPBELL_EXAMPLE)]
     Campbell(Campbell),
+    /// What a body or a mechanism takes of a microcontroller: flash, RAM, stack, instructions of a step.
+    #[command(after_help = BUDGET_EXAMPLE)]
+    Budget(Budget),
+    /// Run a scene in many configurations (modes, fidelity, scalar, integrator, step): errors against cost.
+    #[command(after_help = TRADEOFF_EXAMPLE)]
+    Tradeoff(Tradeoff),
+    /// Choose modes, terms, scalar, integrator and step of a scene for an error that is allowed, and say why.
+    #[command(after_help = PLAN_EXAMPLE)]
+    Plan(Plan),
 }
+
+const BUDGET_EXAMPLE: &str = "\
+Examples:
+  ffrf budget models/conrod.ffrf.json --modes 4 --target cortex-m4f --scalar f32
+  ffrf budget models/scenes/slider_crank.toml --integrator linearly_implicit
+
+Builds and runs programs: needs cargo with the target thumbv7em-none-eabihf, and qemu-system-arm.";
+
+const PLAN_EXAMPLE: &str = "\
+Examples:
+  ffrf plan slider_crank.toml --error 1e-3
+  ffrf plan slider_crank.toml --error 1e-2 --quantity reaction --scalar f64 --measure";
+
+const TRADEOFF_EXAMPLE: &str = "\
+Examples:
+  ffrf tradeoff slider_crank.toml -o sweep
+  ffrf tradeoff slider_crank.toml -o sweep --modes 0,2,4 --integrator rk4,dopri5 --step 1e-5,1e-6 --quantity reaction";
 
 const LINEARISE_EXAMPLE: &str = "\
 Examples:

@@ -8,6 +8,7 @@
 
 mod animation;
 mod arguments;
+mod budget;
 mod campbell;
 mod component_modes;
 mod describe;
@@ -18,6 +19,7 @@ mod inspect;
 mod linearise;
 mod modes;
 mod output;
+mod plan;
 mod plots;
 mod progress;
 mod reduce;
@@ -26,6 +28,8 @@ mod results;
 mod sample_states;
 mod simulate;
 mod states;
+mod trade_text;
+mod tradeoff;
 mod verify;
 
 use std::process::ExitCode;
@@ -56,6 +60,9 @@ pub fn run() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Linearise(arguments) => linearise::run(&arguments),
         Command::Campbell(arguments) => campbell::run(&arguments),
+        Command::Budget(arguments) => budget::run(&arguments),
+        Command::Plan(arguments) => plan::run(&arguments),
+        Command::Tradeoff(arguments) => tradeoff::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

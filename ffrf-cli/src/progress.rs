@@ -108,6 +108,48 @@ impl Drop for Lines {
     }
 }
 
+/// Progress of work whose share that is done is known.
+pub struct ShareTeller {
+    name: &'static str,
+    bar: Option<ProgressBar>,
+    last: std::cell::Cell<Instant>,
+}
+
+impl ShareTeller {
+    /// A bar if standard error is a terminal, else a line every few seconds. `name`: what stands before it.
+    pub fn new(name: &'static str) -> Self {
+        let bar = std::io::stderr().is_terminal().then(|| {
+            let bar = ProgressBar::new(1000);
+            let style = ProgressStyle::with_template("{prefix} [{bar:40}] {percent} % {msg} {elapsed}");
+            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            bar.with_prefix(name)
+        });
+        Self { name, bar, last: std::cell::Cell::new(Instant::now()) }
+    }
+
+    /// Takes note of where the work is.
+    pub fn tell(&self, share: f64, message: &str) {
+        match &self.bar {
+            Some(bar) => {
+                bar.set_message(message.to_owned());
+                bar.set_position((1000.0 * share) as u64);
+            }
+            None if self.last.get().elapsed() >= INTERVAL => {
+                self.last.set(Instant::now());
+                output::complain(&format!("{}: {message} ({:.0} %)\n", self.name, 100.0 * share));
+            }
+            None => {}
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn end(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use std::sync::{Arc, Mutex};

@@ -120,6 +120,7 @@ impl Formulated {
             source: self.source.as_ref().map(|(source, _)| source.clone()),
             layout: self.layout,
             lanes: self.lanes.as_ref().map(|lanes| lanes.description(options.scalar)),
+            table_bytes: self.lanes.as_ref().map_or(0, |lanes| lanes.table_bytes(options.scalar)),
             kernels: kernels.iter().map(|kernel| KernelReport::of(kernel.kernel())).collect(),
         }
     }

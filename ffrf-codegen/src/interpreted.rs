@@ -77,6 +77,17 @@ impl Kernels {
         Self::of(body, options, |definition| definition.lanes.is_none())
     }
 
+    /// Formulates the one kernel of that name; none if there is no such kernel.
+    ///
+    /// Errors: as those of [`Kernels::formulate`].
+    pub fn formulate_one(
+        body: &ReducedBody,
+        options: &GenerateOptions,
+        name: &str,
+    ) -> Result<Self, CodegenError> {
+        Self::of(body, options, |definition| definition.signature.name == name)
+    }
+
     fn of(
         body: &ReducedBody,
         options: &GenerateOptions,

@@ -17,6 +17,8 @@ pub struct Report {
     pub layout: Layout,
     /// How the modes stand in lanes, if the kernels with a product over all pairs of modes are loops.
     pub lanes: Option<String>,
+    /// Bytes of the tables that loops over lanes read; zero where all numbers stand in statements.
+    pub table_bytes: usize,
     /// Cost of each kernel that is printed as statements, in the order in which they are printed.
     pub kernels: Vec<KernelReport>,
 }

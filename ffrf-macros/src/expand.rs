@@ -9,6 +9,7 @@ use quote::quote;
 use syn::LitStr;
 
 use crate::fallback::fallback;
+use crate::family::family;
 use crate::parse::Input;
 use crate::validate::{Request, Source, validate};
 
@@ -18,6 +19,10 @@ pub(crate) fn flexible_body(input: TokenStream) -> TokenStream {
         Ok(input) => input,
         Err(error) => return error.into_compile_error(),
     };
+    if input.is_family {
+        let one = |input: &Input| validate(input).and_then(|request| body(input, request));
+        return family(&input, one).unwrap_or_else(|error| crate::family::fallback(&input, &error));
+    }
     match validate(&input).and_then(|request| body(&input, request)) {
         Ok(tokens) => tokens,
         Err(error) => fallback(&input, &error),
@@ -150,6 +155,35 @@ mod tests {
             let tokens = generate_with_layout(modes, &layout, &door.options).unwrap().tokens;
             assert_eq!(expanded.to_string(), tokens.to_string(), "{}", door.fields);
         }
+    }
+
+    #[test]
+    fn a_member_of_a_family_is_the_body_that_stands_alone() {
+        let family = flexible_body(quote! {
+            pub family parts { model: #MODEL, modes: [2, 3], fidelity: [linear], scalar: [f64, f32], fma: off }
+        })
+        .to_string();
+        for (name, modes, scalar) in [("M2LinearF64", 2_usize, quote!(f64)), ("M3LinearF32", 3, quote!(f32))]
+        {
+            let modes = proc_macro2::Literal::usize_unsuffixed(modes);
+            let (ident, text) =
+                (Ident::new(name, Span::call_site()), format!(" {modes} modes, `linear`, `{scalar}`."));
+            let alone = flexible_body(quote! {
+                #[doc = #text]
+                pub struct #ident { model: #MODEL, fma: off, modes: ..#modes, fidelity: linear, scalar: #scalar }
+            });
+            assert!(family.contains(&alone.to_string()), "{name}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_with_the_model_of_a_family_is_said_once() {
+        let tokens = flexible_body(quote! {
+            pub family parts { model: "Cargo.toml", modes: [1, 2], scalar: [f64, f32] }
+        })
+        .to_string();
+        assert_eq!(tokens.matches("compile_error").count(), 1, "{tokens}");
+        assert!(tokens.contains("pub mod parts"), "{tokens}");
     }
 
     #[test]

@@ -3,6 +3,7 @@
 
 mod expand;
 mod fallback;
+mod family;
 mod mechanism;
 mod parse;
 mod validate;
@@ -60,6 +61,26 @@ use proc_macro::TokenStream;
 ///
 /// Its fields are public, so its method `check()` says whether what stands in them can be a body: call it once before
 /// simulating; its error names the field, the index, the number found and what was expected.
+///
+/// A `family` in the place of a `struct` is a module of many bodies from one model, one for each combination; other keys
+/// hold for all of them:
+///
+/// ```text
+/// ffrf::flexible_body! {
+///     /// Rotors.
+///     pub family rotors {
+///         model: "models/rotor.ffrf.json",
+///         modes: [0, 2, 4, 8],               // numbers of modes, each time the first ones
+///         fidelity: [full, linear],          // optional: levels, or lists of terms in brackets (default: full)
+///         scalar: [f64, f32],                // optional (default: f64)
+///     }
+/// }
+/// ```
+///
+/// Members are `rotors::M4LinearF32` and so on, `Terms1` for the first list of terms; without modes there is one for each
+/// number type, because all fidelities are then the same. `rotors::MEMBERS` says what they are. `rotors::for_each(&mut visitor)`
+/// calls a `ffrf::FamilyVisitor` with each, compiled on its own; `rotors::members!(callback)` calls
+/// `callback! { M4LinearF32, 4, "linear", f32 }` for each, where code has to name the type, as `mechanism!` has.
 #[proc_macro]
 pub fn flexible_body(input: TokenStream) -> TokenStream {
     expand::flexible_body(input.into()).into()

@@ -1,18 +1,22 @@
-//! What the user wrote: attributes, a struct's head, and `key: value` fields with their places.
+//! What the user wrote: attributes, the head of a struct or family, and `key: value` fields with their places.
 
 use proc_macro2::{Span, TokenStream};
 use syn::parse::{Parse, ParseStream};
 use syn::{Attribute, Ident, Token, Visibility, braced};
 
-/// `#[...] pub struct NAME { key: value, ... }`
+/// `#[...] pub struct NAME { key: value, ... }`, or `family` in the place of `struct`.
 pub(crate) struct Input {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) visibility: Visibility,
+    pub(crate) is_family: bool,
     pub(crate) name: Ident,
     pub(crate) fields: Vec<Field>,
 }
 
+syn::custom_keyword!(family);
+
 /// `key: value`, the value as written.
+#[derive(Clone)]
 pub(crate) struct Field {
     pub(crate) key: Ident,
     pub(crate) value: TokenStream,
@@ -23,7 +27,12 @@ impl Parse for Input {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let attributes = input.call(Attribute::parse_outer)?;
         let visibility = input.parse()?;
-        input.parse::<Token![struct]>()?;
+        let is_family = input.peek(family);
+        if is_family {
+            input.parse::<family>()?;
+        } else {
+            input.parse::<Token![struct]>()?;
+        }
         let name = input.parse()?;
         let content;
         braced!(content in input);
@@ -35,7 +44,7 @@ impl Parse for Input {
             }
             content.parse::<Token![,]>()?;
         }
-        Ok(Self { attributes, visibility, name, fields })
+        Ok(Self { attributes, visibility, is_family, name, fields })
     }
 }
 

@@ -4,6 +4,7 @@ use ffrf_codegen::layout::{Layout, Structure};
 use ffrf_codegen::{CodegenError, Fidelity, FusedMultiplyAdd, ScalarType, Strategy};
 use ffrf_model::ModeSelection;
 use proc_macro2::Span;
+use quote::ToTokens;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Ident, LitBool, LitFloat, LitInt, LitStr, Token};
 
@@ -97,6 +98,74 @@ pub(crate) fn mode_selection(field: &Field) -> syn::Result<ModeSelection> {
             Some(_) => Err(input.error("an empty range")),
         }
     })
+}
+
+/// `[0, 2, 4]` in a family: numbers of modes with their places, each once.
+pub(crate) fn mode_counts(field: &Field) -> syn::Result<Vec<(usize, Span)>> {
+    let expected = "a list of numbers of modes, like `[0, 2, 4, 8]`, in a family";
+    let found = elements(field, expected, |input: ParseStream<'_>| {
+        let literal: LitInt = input.parse()?;
+        Ok((literal.base10_parse::<usize>()?, literal.span()))
+    })?;
+    each_once(field, found, |(count, span)| (count.to_string(), *span))
+}
+
+/// `[full, [first_moment, modal_rotation]]` in a family, each with the field that one body would have.
+pub(crate) fn fidelities(field: &Field) -> syn::Result<Vec<(Fidelity, Field)>> {
+    let expected = "a list of levels, or of lists of energy terms, like `[full, linear]`, in a family";
+    let trees = elements(field, expected, |input: ParseStream<'_>| input.parse::<proc_macro2::TokenTree>())?;
+    let mut mistakes = Mistakes::default();
+    let found = trees.into_iter().filter_map(|tree| {
+        let one = Field { key: field.key.clone(), span: tree.span(), value: tree.into() };
+        mistakes.keep(fidelity(&one)).map(|level| (level, one))
+    });
+    let found: Vec<_> = found.collect();
+    mistakes.verdict(())?;
+    each_once(field, found, |(level, one)| (level.to_string(), one.span))
+}
+
+/// `[f64, f32]` in a family, each with the field that one body would have.
+pub(crate) fn scalars(field: &Field) -> syn::Result<Vec<(ScalarType, Field)>> {
+    let expected = "a list of f64 and f32 in a family";
+    let words = elements(field, expected, |input: ParseStream<'_>| {
+        let word: Ident = input.parse()?;
+        let known = ScalarType::from_name(&word.to_string()).filter(|one| *one != ScalarType::Generic);
+        let one =
+            Field { key: field.key.clone(), span: word.span(), value: word.clone().into_token_stream() };
+        known.map(|scalar| (scalar, one)).ok_or_else(|| syn::Error::new(word.span(), "unknown"))
+    })?;
+    each_once(field, words, |(scalar, one)| (scalar.name().to_owned(), one.span))
+}
+
+/// What stands between brackets, separated by commas; at least one.
+fn elements<T>(
+    field: &Field,
+    expected: &str,
+    element: impl Fn(ParseStream<'_>) -> syn::Result<T>,
+) -> syn::Result<Vec<T>> {
+    value_of(field, expected, |input: ParseStream<'_>| {
+        let content;
+        syn::bracketed!(content in input);
+        let mut found = Vec::new();
+        while !content.is_empty() {
+            found.push(element(&content)?);
+            if !content.is_empty() {
+                content.parse::<Token![,]>()?;
+            }
+        }
+        if found.is_empty() { Err(content.error("empty")) } else { Ok(found) }
+    })
+}
+
+/// Two members of one name cannot be.
+fn each_once<T>(field: &Field, list: Vec<T>, name: impl Fn(&T) -> (String, Span)) -> syn::Result<Vec<T>> {
+    let names: Vec<(String, Span)> = list.iter().map(name).collect();
+    for (index, (text, span)) in names.iter().enumerate() {
+        if names[..index].iter().any(|(earlier, _)| earlier == text) {
+            return Err(syn::Error::new(*span, format!("`{text}` is in `{}` twice", field.key)));
+        }
+    }
+    Ok(list)
 }
 
 /// `8` without one.

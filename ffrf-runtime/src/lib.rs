@@ -46,16 +46,16 @@ pub mod rotation;
 mod six;
 
 pub use body::{
-    DenseForms, Eliminated, EquationsOfMotion, Factored, FlexibleBody, FreeBody, FreeSystem,
-    GeneralisedForce, Increment, Load, Marker, MarkerMotion, MarkerStep, ModalFactors, ModalMatrix,
-    ModalVector, Motion, NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker, Prepared,
-    RigidBody, State, Wrench,
+    DenseForms, Eliminated, Envelope, EquationsOfMotion, Factored, FamilyMember, FamilyVisitor, FlexibleBody,
+    FreeBody, FreeSystem, GeneralisedForce, Increment, Load, Marker, MarkerMotion, MarkerStep, ModalFactors,
+    ModalMatrix, ModalVector, Motion, NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker,
+    Prepared, RigidBody, State, Wrench,
 };
 pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{
-    AlphaMemory, ConservingSystem, ControlledStep, Correction, DenseOutput, Drift, EnergyMomentum,
+    AlphaMemory, ConservingSystem, ControlledStep, Correction, DenseOutput, Departure, Drift, EnergyMomentum,
     Exponential, ExponentialSystem, Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, StepError,
-    StepReport, StiffSystem, System, Tolerances, VectorSpace, step_dormand_prince, step_exponential,
+    StepReport, StiffSystem, System, Tolerances, VectorSpace, Watched, step_dormand_prince, step_exponential,
     step_linearly_implicit, step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
     try_dormand_prince, try_dormand_prince_dense,
 };

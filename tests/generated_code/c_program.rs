@@ -23,6 +23,12 @@ const FLAGS: [&str; 9] = [
 /// The compilers that are tried; each that is there must accept the code, the first runs it.
 const COMPILERS: [&str; 2] = ["gcc", "clang"];
 
+/// The compiler of a microcontroller and its core: if it is there, it must accept the code as well. What it makes runs
+/// elsewhere.
+const CROSS_COMPILER: &str = "arm-none-eabi-gcc";
+/// A Cortex-M4F.
+const CORE: [&str; 4] = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"];
+
 /// All inputs that kernels have.
 pub struct Inputs {
     pub q: Vec<f64>,
@@ -68,6 +74,13 @@ impl CProgram {
             compile(compiler, folder.path(), &["kernels.c", "main.c", "-lm", "-o", program]);
             compile(compiler, folder.path(), &["-c", "single.c", "-o", "single.o"]);
             is_compiled = true;
+        }
+        if Command::new(CROSS_COMPILER).arg("--version").output().is_ok() {
+            for (source, object) in [("kernels.c", "kernels.o"), ("single.c", "cross.o")] {
+                compile(CROSS_COMPILER, folder.path(), &[&CORE[..], &["-c", source, "-o", object]].concat());
+            }
+        } else {
+            eprintln!("SKIPPED: no {CROSS_COMPILER} here");
         }
         is_compiled.then_some(Self { folder, functions })
     }

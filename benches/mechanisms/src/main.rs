@@ -67,6 +67,31 @@ ffrf::mechanism! {
     }
 }
 
+/// A pendulum of so many equal rigid links.
+macro_rules! pendulum {
+    ($name:ident $count:literal $joints:literal) => {
+        ffrf::mechanism! {
+            pub struct $name {
+                bodies: {
+                    links: [rigid {
+                        mass: 0.5,
+                        center_of_mass: [0.05, 0.0, 0.0],
+                        inertia: [1e-4, 5e-4, 5e-4],
+                        markers: { TIP: [0.1, 0.0, 0.0] },
+                    }; $count],
+                },
+                gravity: [0.0, -9.81, 0.0],
+                joints: {
+                    first: revolute(ground, links[0], axis: z),
+                    hinges: for i in 0..$joints { revolute(links[i].TIP, links[i + 1], axis: z) },
+                },
+            }
+        }
+    };
+}
+pendulum!(Pendulum8 8 7);
+pendulum!(Pendulum64 64 63);
+
 ffrf::mechanism! {
     /// Sixteen arms on a rigid hub.
     pub struct Star16 {
@@ -93,7 +118,7 @@ ffrf::mechanism! {
     }
 }
 
-const NAMES: [&str; 7] = [
+const NAMES: [&str; 9] = [
     "slider_crank_m8",
     "chain_m4_n1",
     "chain_m4_n2",
@@ -101,6 +126,8 @@ const NAMES: [&str; 7] = [
     "chain_m4_n64",
     "star_m4_n16",
     "tree_m4_n31",
+    "pendulum_rigid_n8",
+    "pendulum_rigid_n64",
 ];
 
 /// Accelerations of every body in the state at rest, joints open: the work does not depend on numbers.
@@ -130,6 +157,8 @@ fn call(name: &str, calls: usize) -> Option<()> {
         "chain_m4_n64" => rest!(Chain64::new([Link; 64]), calls),
         "star_m4_n16" => rest!(Star16::new([Link; 16]), calls),
         "tree_m4_n31" => rest!(Tree31::new([Link; 31]), calls),
+        "pendulum_rigid_n8" => rest!(Pendulum8::new(), calls),
+        "pendulum_rigid_n64" => rest!(Pendulum64::new(), calls),
         _ => return None,
     }
     Some(())

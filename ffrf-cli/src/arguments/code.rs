@@ -82,7 +82,7 @@ fn named<T: Clone + Send + Sync + 'static, const COUNT: usize>(
         .try_map(move |name| from_name(&name).ok_or("not among the possible values"))
 }
 
-fn parse_tolerance(text: &str) -> Result<f64, String> {
+pub(super) fn parse_tolerance(text: &str) -> Result<f64, String> {
     let tolerance: f64 = text.parse().map_err(|error| format!("{error}"))?;
     if (0.0..1.0).contains(&tolerance) {
         return Ok(tolerance);

@@ -2,6 +2,7 @@
 
 mod campbell;
 mod histories;
+mod trade;
 mod transfer;
 
 use std::path::Path;
@@ -11,6 +12,7 @@ use plotters::prelude::{IntoFont as _, RGBColor, TextStyle};
 
 pub use campbell::draw as draw_campbell;
 pub use histories::{Panel, draw as draw_histories};
+pub use trade::{COST_OPERATIONS, COST_TIME, TradePoint, draw_pareto, draw_work_precision};
 pub use transfer::draw as draw_transfer;
 
 /// Axes, frames and text.

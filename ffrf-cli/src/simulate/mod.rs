@@ -3,17 +3,16 @@
 mod panels;
 
 use std::fmt::Write as _;
-use std::io::IsTerminal;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
 use ffrf_host::scene::Scene;
 use ffrf_host::simulate::{Progress, SavedState, SceneCheck, Summary, check, header, simulate};
-use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::animation::{Show, Surface};
 use crate::arguments::Simulate;
+use crate::progress::ShareTeller;
 use crate::results::{Columns, Format};
 use crate::{animation, output, plots};
 
@@ -39,7 +38,7 @@ pub fn run(arguments: &Simulate) -> Result<()> {
     let saved = arguments.load_state.as_deref().map(read_state).transpose()?;
     let mut columns = Columns { names: header(&scene), rows: Vec::new() };
     let begin = Instant::now();
-    let teller = Teller::new(begin);
+    let teller = ShareTeller::new("simulate");
     let result = simulate(
         &scene,
         saved.as_ref(),
@@ -50,7 +49,7 @@ pub fn run(arguments: &Simulate) -> Result<()> {
             columns.rows.push(row);
             Ok(())
         },
-        |progress| teller.tell(progress),
+        |Progress { time, share, steps }| teller.tell(share, &format!("t = {time:.4} s, {steps} steps")),
     );
     teller.end();
     let summary = result.with_context(|| format!("{}", path.display()))?;
@@ -163,46 +162,4 @@ fn describe_check(scene: &Scene, found: &SceneCheck) -> String {
         found.accelerations
     );
     text
-}
-
-/// Progress on standard error: a bar on a terminal, else a line every few seconds.
-struct Teller {
-    bar: Option<ProgressBar>,
-    last: std::cell::Cell<Instant>,
-}
-
-/// How often a line is printed where there is no terminal.
-const INTERVAL: Duration = Duration::from_secs(5);
-
-impl Teller {
-    fn new(begin: Instant) -> Self {
-        let bar = std::io::stderr().is_terminal().then(|| {
-            let bar = ProgressBar::new(1000);
-            let style = ProgressStyle::with_template("simulate [{bar:40}] {percent} % {msg} {elapsed}");
-            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-            bar
-        });
-        Self { bar, last: std::cell::Cell::new(begin) }
-    }
-
-    fn tell(&self, progress: Progress) {
-        let Progress { time, share, steps } = progress;
-        match &self.bar {
-            Some(bar) => {
-                bar.set_message(format!("t = {time:.4} s, {steps} steps"));
-                bar.set_position((1000.0 * share) as u64);
-            }
-            None if self.last.get().elapsed() >= INTERVAL => {
-                self.last.set(Instant::now());
-                output::complain(&format!("t = {time:.6} s ({:.0} %), {steps} steps\n", 100.0 * share));
-            }
-            None => {}
-        }
-    }
-
-    fn end(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
-        }
-    }
 }

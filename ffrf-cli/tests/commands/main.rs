@@ -9,5 +9,6 @@ mod outputs;
 mod reference_cases;
 mod simulate;
 mod simulate_outputs;
+mod tradeoff;
 mod workbench;
 mod workflow;

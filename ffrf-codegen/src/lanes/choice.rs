@@ -63,6 +63,14 @@ impl Lanes {
             Self::Parameters(parameters) => parameters.description(),
         }
     }
+
+    /// Bytes of the tables in the generated code; none where invariants come at run time.
+    pub(crate) fn table_bytes(&self, scalar: ScalarType) -> usize {
+        match self {
+            Self::Tables(tables) => tables.bytes(scalar),
+            Self::Parameters(_) => 0,
+        }
+    }
 }
 
 /// The tables if the body is to be computed in lanes, `None` for straight-line code.

@@ -131,6 +131,38 @@ impl LaneTables {
         format!("lanes over modes, {} groups of 4; {}", self.groups, self.moments.description(scalar))
     }
 
+    /// Bytes of all tables that the generated code holds in `static` items; equal ones stand there once.
+    pub(crate) fn bytes(&self, scalar: ScalarType) -> usize {
+        let numbers = |table: &Option<Table>| table.as_ref().map_or(0, |table| table.entries().len());
+        let matrix = |matrix: &ModalMatrix| match matrix {
+            ModalMatrix::Zero | ModalMatrix::Identity => 0,
+            ModalMatrix::Diagonal(table) | ModalMatrix::Dense(table) => table.entries().len(),
+        };
+        let factors = match &self.modal_factors {
+            ModalFactors::Identity => 0,
+            ModalFactors::Diagonal(table) => table.entries().len(),
+            ModalFactors::Triangular { inverse_pivots, lower } => {
+                inverse_pivots.entries().len() + lower.entries().len()
+            }
+        };
+        let eliminated = if self.eliminated_first_moment == self.modal_first_moment {
+            0
+        } else {
+            numbers(&self.eliminated_first_moment)
+        };
+        let trace = if self.trace == self.modal_mass { 0 } else { matrix(&self.trace) };
+        let all = numbers(&self.modal_first_moment)
+            + eliminated
+            + numbers(&self.position_mode_even)
+            + numbers(&self.position_mode_odd)
+            + trace
+            + matrix(&self.modal_mass)
+            + factors
+            + matrix(&self.stiffness)
+            + matrix(&self.damping);
+        all * scalar.bytes() + self.moment_bytes(scalar)
+    }
+
     /// Bytes of the table of moments.
     pub(crate) fn moment_bytes(&self, scalar: ScalarType) -> usize {
         self.moments.bytes(scalar)

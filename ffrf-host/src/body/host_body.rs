@@ -122,6 +122,27 @@ impl HostBody {
         })
     }
 
+    /// Numbers that are not zero, symmetric ones counted once: what generated code of the body holds.
+    pub fn nonzero_constants(&self) -> usize {
+        let tensor = |tensor: &Symmetric| tensor.iter().filter(|x| **x != 0.0).count();
+        let list = |numbers: &[f64]| numbers.iter().filter(|x| **x != 0.0).count();
+        let matrix = |matrix: &ModalMatrix<HostModal, f64>| match matrix {
+            ModalMatrix::Diagonal(diagonal) => list(diagonal.as_slice()),
+            ModalMatrix::Dense(dense) => list(dense.as_slice()),
+        };
+        let modes = self.mode_count();
+        let pairs = (0..modes).flat_map(|mu| (mu..modes).map(move |nu| (mu, nu)));
+        let of_pairs: usize =
+            pairs.map(|(mu, nu)| tensor(&self.quadratic[mu][nu]) + list(self.whirl[mu][nu].as_slice())).sum();
+        1 + list(self.first_moment.as_slice())
+            + self.modal_first_moment.iter().map(|row| list(row.as_slice())).sum::<usize>()
+            + tensor(&self.inertia)
+            + self.linear.iter().map(tensor).sum::<usize>()
+            + self.rotation.iter().map(|vector| list(vector.as_slice())).sum::<usize>()
+            + of_pairs
+            + [&self.modal_mass, &self.stiffness, &self.damping].map(matrix).iter().sum::<usize>()
+    }
+
     /// The markers of a model, in its order.
     pub fn markers(body: &ReducedBody) -> Vec<Marker<HostModal, f64>> {
         let rows = |list: &[[f64; 3]]| -> [HostModal; 3] {

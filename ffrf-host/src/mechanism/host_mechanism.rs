@@ -235,6 +235,24 @@ impl<T: RealField + Copy> HostMechanism<T> {
         })
     }
 
+    /// Multiply-adds of factoring the constrained equations, and the numbers that the solve keeps.
+    pub fn solve_cost(&self) -> (f64, usize) {
+        (self.plan.multiply_adds(), 36 * self.plan.block_count + 3 * 6 * self.plan.node_count)
+    }
+
+    /// Constraint rows on each body.
+    pub fn attached_row_counts(&self) -> Vec<usize> {
+        let mut counts = vec![0; self.bodies.len()];
+        for connection in &self.connections {
+            for body in [&connection.first, &connection.second].into_iter().filter_map(|end| end.body) {
+                if let Some(count) = counts.get_mut(body) {
+                    *count += connection.kind.row_count();
+                }
+            }
+        }
+        counts
+    }
+
     /// The bodies.
     pub fn bodies(&self) -> &[HostBody<T>] {
         &self.bodies

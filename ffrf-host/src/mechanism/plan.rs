@@ -76,6 +76,20 @@ impl OwnedPlan {
         }
     }
 
+    /// Multiply-adds of one factorisation: of each node its Cholesky factor, its couplings, and what they change.
+    pub(super) fn multiply_adds(&self) -> f64 {
+        let starts = self.steps.iter().map(|step| step.couplings).skip(1).chain([self.couplings.len()]);
+        let nodes = self.steps.iter().zip(starts);
+        nodes
+            .map(|(step, end)| {
+                let couplings = self.couplings.get(step.couplings..end).unwrap_or(&[]);
+                let (own, others) =
+                    (step.size as f64, couplings.iter().map(|other| other.size).sum::<usize>() as f64);
+                own * own * own / 6.0 + own * own * others / 2.0 + own * others * (others + 1.0) / 2.0
+            })
+            .sum()
+    }
+
     pub(super) fn view(&self) -> Plan<'_> {
         Plan {
             elimination: Elimination {

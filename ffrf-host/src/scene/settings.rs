@@ -103,7 +103,7 @@ pub struct Settings {
 const TREATMENTS: [&str; 5] = ["projection", "baumgarte", "ggl", "index3", "minimal"];
 
 impl Settings {
-    pub(super) fn new(table: &SimulationTable) -> Result<Self, SceneError> {
+    pub(crate) fn new(table: &SimulationTable) -> Result<Self, SceneError> {
         let positive = |what: &str, value: f64| {
             if value > 0.0 && value.is_finite() {
                 Ok(value)

@@ -137,6 +137,15 @@ fn energies(mechanism: &HostMechanism, state: &[State<HostModal>], ports: &HostP
     sum
 }
 
+/// Kinetic, elastic and potential energy together. Units: J.
+pub(crate) fn total_energy(
+    mechanism: &HostMechanism,
+    state: &[State<HostModal>],
+    ports: &HostPorts<'_>,
+) -> f64 {
+    energies(mechanism, state, ports).iter().sum()
+}
+
 /// Largest residual of positions and velocities.
 fn residuals(storage: &Storage<'_, f64>) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];

@@ -5,4 +5,5 @@ mod events;
 mod reference_pendulum;
 mod scene_files;
 mod soft_rows;
+mod tradeoff;
 mod treatments;

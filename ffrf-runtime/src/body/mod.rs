@@ -1,6 +1,8 @@
 //! What a body is (model), what depends on its state (data), and what can be seen of it.
 
 mod dense_forms;
+mod envelope;
+mod family;
 mod flexible_body;
 mod free_body;
 mod free_system;
@@ -25,6 +27,8 @@ mod span_marker;
 mod state;
 
 pub use dense_forms::{DenseForms, EquationsOfMotion};
+pub use envelope::Envelope;
+pub use family::{FamilyMember, FamilyVisitor};
 pub use flexible_body::FlexibleBody;
 pub use free_body::FreeBody;
 pub use free_system::FreeSystem;

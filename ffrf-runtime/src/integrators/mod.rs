@@ -1,5 +1,6 @@
 //! Integrators, one file each, written once for every [`System`].
 
+mod departure;
 mod dormand_prince;
 mod energy_momentum;
 mod exponential;
@@ -10,7 +11,9 @@ mod runge_kutta;
 mod step;
 mod symplectic_euler;
 mod system;
+mod watched;
 
+pub use departure::Departure;
 pub use dormand_prince::{
     ControlledStep, DenseOutput, step_dormand_prince, try_dormand_prince, try_dormand_prince_dense,
 };
@@ -23,5 +26,7 @@ pub use runge_kutta::step_rk4;
 pub use step::{Drift, LocalError, StepError, StepReport, Tolerances};
 pub use symplectic_euler::step_symplectic_euler;
 pub use system::{ConservingSystem, Correction, ImplicitSystem, StiffSystem, System, VectorSpace};
+
+pub use watched::Watched;
 
 pub(crate) use system::{displaced, elastic_at_rest};

@@ -4,6 +4,8 @@ use core::fmt;
 
 use nalgebra::RealField;
 
+use super::Departure;
+
 /// Estimate of the error that one step made, by kind of coordinate (largest component of each).
 ///
 /// It is the difference to the embedded method of lower order and so overstates the error of the step.
@@ -54,6 +56,8 @@ pub struct StepReport<T = f64> {
     pub drift: Drift<T>,
     /// Iterations of an implicit step; zero for methods that need none.
     pub iterations: usize,
+    /// Whether the state has left what was planned; nothing where nobody looks, see [`Watched`](super::Watched).
+    pub departure: Departure,
 }
 
 /// What errors are measured by: a component of size x may be off by `absolute + relative |x|`.

@@ -2,6 +2,7 @@
 
 use nalgebra::RealField;
 
+use super::Departure;
 use super::step::{Drift, LocalError, StepError, Tolerances, checked_step_size};
 
 /// Changes of a state: a vector space.
@@ -65,6 +66,12 @@ pub trait System<T: RealField + Copy> {
     ) -> Result<(Self::State, Drift<T>), StepError> {
         let _ = (time, gamma_h);
         Ok((state, Drift::none()))
+    }
+
+    /// Whether the state at the end of a step has left what was planned; see [`Watched`](super::Watched).
+    fn departure(&self, state: &Self::State) -> Departure {
+        let _ = state;
+        Departure::default()
     }
 
     /// The largest step of [`step_rk4`](super::step_rk4) that keeps the vibration bounded, if it is known. Units: s.
@@ -200,5 +207,6 @@ pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     if !system.is_finite(&state) {
         return Err(refused());
     }
-    Ok((state, super::StepReport { local_error: system.local_error(error), drift, iterations: 0 }))
+    let (local_error, departure) = (system.local_error(error), system.departure(&state));
+    Ok((state, super::StepReport { local_error, drift, iterations: 0, departure }))
 }

@@ -2,7 +2,10 @@
 #![allow(clippy::unwrap_used)] // helpers of tests are tests
 
 use ffrf_runtime::nalgebra::{Vector2, Vector3};
-use ffrf_runtime::{Drift, FreeBody, LocalError, StepReport};
+use ffrf_runtime::{
+    Departure, Drift, EnergyMomentum, Envelope, FreeBody, FreeSystem, LocalError, State, StepReport, Watched,
+    step_dormand_prince, step_linearly_implicit, step_rk4,
+};
 use ffrf_test_kit::bodies::cloud;
 use ffrf_test_kit::convergence::measured_order;
 use ffrf_test_kit::naive_body::NaiveBody;
@@ -65,4 +68,71 @@ fn a_free_body_has_no_constraints_to_drift_from() {
         // a step of a tenth of a second turns by 0.23 rad, and the orientation is still one
         assert!((body.state.orientation.norm() - 1.0).abs() < ROUND_OFF);
     }
+}
+
+/// Wider than the motion of [`flying`], but for what `change` changes.
+fn envelope(change: impl Fn(&mut Envelope)) -> Envelope {
+    let mut envelope = Envelope { deformation: 1.0, speed: 2.0, spin: 5.0, bending: 50.0 };
+    change(&mut envelope);
+    envelope
+}
+
+#[test]
+fn a_watched_step_is_the_step_itself_and_says_which_bound_was_left() {
+    let body = flying();
+    let system = FreeSystem { body: &body.body, load: &() };
+    let (plain, unseen) = step_rk4(&system, &body.state, 0.0, 0.01).unwrap();
+    assert!(!unseen.departure.any(), "nobody looks");
+    let none = Departure::default();
+    let cases = [
+        (envelope(|_| ()), none),
+        (envelope(|envelope| envelope.deformation = 0.1), Departure { deformation: true, ..none }),
+        (envelope(|envelope| envelope.speed = 0.1), Departure { speed: true, ..none }),
+        (envelope(|envelope| envelope.spin = 1.0), Departure { spin: true, ..none }),
+        (envelope(|envelope| envelope.bending = 2.0), Departure { bending: true, ..none }),
+        (envelope(|envelope| envelope.speed = f64::NAN), Departure { speed: true, ..none }),
+    ];
+    for (envelope, expected) in cases {
+        let look = |state: &State<Vector2<f64>>| envelope.departure(state);
+        let watched = Watched { system: &system, look };
+        let (state, report) = step_rk4(&watched, &body.state, 0.0, 0.01).unwrap();
+        assert_eq!(report.departure, expected, "{envelope:?}");
+        assert_eq!(state, plain, "looking changes nothing");
+        assert_eq!(StepReport { departure: none, ..report }, unseen);
+        // methods that take the modes implicitly, one that iterates, one with error control
+        let implicit = step_linearly_implicit(&watched, &body.state, 0.0, 0.01).unwrap();
+        assert_eq!(implicit.1.departure, expected, "{envelope:?}");
+        assert_eq!(implicit.0, step_linearly_implicit(&system, &body.state, 0.0, 0.01).unwrap().0);
+        let conserving = EnergyMomentum::new().step(&watched, &body.state, 0.0, 0.01).unwrap();
+        assert_eq!(conserving.1.departure, expected, "{envelope:?}");
+        let controlled = step_dormand_prince(&watched, &body.state, 0.0, 0.01).unwrap();
+        assert_eq!(controlled.1.departure, expected, "{envelope:?}");
+    }
+}
+
+/// A body that is pushed leaves the envelope in one step, and every step from there on says so.
+#[test]
+fn the_flag_goes_up_when_the_bound_is_passed_and_not_before() {
+    let body = flying();
+    let system = FreeSystem { body: &body.body, load: &() };
+    // the deformation oscillates: a bound in the middle of its range is left and met again
+    let (mut state, mut least, mut most) = (body.state, f64::INFINITY, 0.0_f64);
+    for _ in 0..400 {
+        state = step_rk4(&system, &state, 0.0, 0.01).unwrap().0;
+        let norm = state.modal_coordinates.norm();
+        (least, most) = (least.min(norm), most.max(norm));
+    }
+    let bound = 0.5 * (least + most);
+    let watched = Watched {
+        system: &system,
+        look: |state: &State<Vector2<f64>>| envelope(|e| e.deformation = bound).departure(state),
+    };
+    let (mut state, mut seen) = (body.state, [0; 2]);
+    for _ in 0..400 {
+        let (next, report) = step_rk4(&watched, &state, 0.0, 0.01).unwrap();
+        state = next;
+        assert_eq!(report.departure.deformation, state.modal_coordinates.norm() > bound);
+        seen[usize::from(report.departure.deformation)] += 1;
+    }
+    assert!(seen[0] > 10 && seen[1] > 10, "both happen: {seen:?}");
 }

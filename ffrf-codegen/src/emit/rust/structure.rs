@@ -39,8 +39,15 @@ pub(super) fn visibility(options: &GenerateOptions) -> String {
 }
 
 /// Names of the constants of bodies, which no marker can take.
-pub(super) const RESERVED: [&str; 5] =
-    ["MODE_COUNT", "MASS", "FREQUENCIES_HZ", "LARGEST_STABLE_STEP", "MODEL_FINGERPRINT"];
+pub(super) const RESERVED: [&str; 7] = [
+    "MODE_COUNT",
+    "MASS",
+    "FREQUENCIES_HZ",
+    "LARGEST_STABLE_STEP",
+    "FLOPS",
+    "TABLE_BYTES",
+    "MODEL_FINGERPRINT",
+];
 
 /// A constant of a body, one of [`RESERVED`].
 pub(super) struct Constant {
@@ -99,6 +106,22 @@ pub(super) fn constants(body: &ReducedBody, report: &Report, options: &GenerateO
                             either. Units: s.",
             kind: "f64".to_owned(),
             value: stable_step(body),
+        },
+        Constant {
+            name: "FLOPS",
+            documentation: "Floating-point operations of one call of `forward_dynamics`; none where it is a loop over lanes, \
+                            whose work\ndepends on the registers of the target.",
+            kind: "::core::option::Option<usize>".to_owned(),
+            value: match report.kernels.iter().find(|kernel| kernel.name == "forward_dynamics") {
+                Some(kernel) => format!("::core::option::Option::Some({})", kernel.counts.total()),
+                None => "::core::option::Option::None".to_owned(),
+            },
+        },
+        Constant {
+            name: "TABLE_BYTES",
+            documentation: "Tables that loops over lanes read; zero where all numbers stand in statements. Units: bytes.",
+            kind: "usize".to_owned(),
+            value: report.table_bytes.to_string(),
         },
     ];
     if let Some(source) = &report.source {

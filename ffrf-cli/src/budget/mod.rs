@@ -1,0 +1,97 @@
+//! `ffrf budget`: what a body or a mechanism takes of a microcontroller, measured in an emulator.
+//!
+//! A small program is written, built and run for each core and scalar. It links only if no panic is reachable and nothing
+//! allocates. Needs cargo with the target thumbv7em-none-eabihf and qemu-system-arm; `firmware/run.sh` sets both up.
+
+mod elf;
+mod emulator;
+mod mechanism_code;
+mod program;
+mod report;
+mod stack_bound;
+
+use anyhow::{Context, Result, bail};
+use ffrf_codegen::ScalarType;
+
+use crate::arguments::{Budget, Core, TargetScalar};
+use crate::output;
+use elf::Program;
+use emulator::{Run, build, emulate};
+use program::Subject;
+
+/// The function of the program that takes a step.
+const STEP: &str = "measured_step";
+
+/// What was found for one core and scalar.
+pub(crate) struct Found {
+    baseline: Program,
+    step: Program,
+    run: Run,
+    kernels: Option<(Program, Run)>,
+    /// The most stack that a step can take, or why that is not known. Units: bytes.
+    bound: Result<u64>,
+}
+
+/// Runs the command.
+pub fn run(arguments: &Budget) -> Result<()> {
+    let cores =
+        if arguments.target.is_empty() { &[Core::CortexM4F, Core::CortexM7][..] } else { &arguments.target };
+    let scalars = if arguments.scalar.is_empty() {
+        &[TargetScalar::F32, TargetScalar::F64][..]
+    } else {
+        &arguments.scalar
+    };
+    let mut text = String::new();
+    for scalar in scalars {
+        let subject = subject(arguments, *scalar)?;
+        for core in cores {
+            let found = measure(arguments, &subject, *core)?;
+            text.push_str(&report::text(&subject, *core, *scalar, &found));
+            let painted = found.run.most_stack();
+            if let Ok(bound) = found.bound
+                && painted > bound
+            {
+                bail!("{painted} bytes of stack were touched, more than the bound of {bound}");
+            }
+        }
+    }
+    text.push_str(report::ASSUMPTIONS);
+    output::write(None, &text)
+}
+
+fn subject(arguments: &Budget, scalar: TargetScalar) -> Result<Subject> {
+    let scalar = match scalar {
+        TargetScalar::F32 => ScalarType::F32,
+        TargetScalar::F64 => ScalarType::F64,
+    };
+    if arguments.file.extension().is_some_and(|extension| extension == "toml") {
+        if arguments.modes.is_some() {
+            bail!("--modes: a scene says itself how many modes its bodies have");
+        }
+        return program::scene(arguments, scalar);
+    }
+    program::body(arguments, scalar)
+}
+
+fn measure(arguments: &Budget, subject: &Subject, core: Core) -> Result<Found> {
+    let folder = arguments.folder.clone().unwrap_or_else(|| arguments.sources.join("firmware/target/budget"));
+    program::write(subject, &folder, &arguments.sources, &arguments.opt_level)?;
+    let linked = |name: &str| -> Result<_> {
+        let path = build(&folder, core, name)?;
+        let bytes = std::fs::read(&path).with_context(|| format!("{}", path.display()))?;
+        Ok((path, Program::parse(&bytes)?))
+    };
+    let (_, baseline) = linked("baseline")?;
+    let (path, step) = linked("step")?;
+    let run = emulate(&path, core)?;
+    let kernels = match &subject.kernels {
+        None => None,
+        Some(_) => {
+            let (path, program) = linked("kernels")?;
+            Some((program, emulate(&path, core)?))
+        }
+    };
+    let function = step.function_named(STEP).with_context(|| format!("no function {STEP} in the program"))?;
+    let bound = stack_bound::bound(&step, function);
+    Ok(Found { baseline, run, kernels, bound, step })
+}

@@ -1,0 +1,140 @@
+//! The results as text and as columns.
+
+use std::fmt::Write as _;
+
+use ffrf_host::tradeoff::{Finding, Reference};
+
+use super::row::Row;
+use crate::trade_text::{INSTRUCTIONS_PER_OPERATION, describe_reference};
+
+/// A table for people, the cheapest first; what failed stands at its end.
+pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>]) -> String {
+    let mut text = format!("{title}\n\n{}\n", describe_reference(reference));
+    text.push_str(LEGEND);
+    let _ = writeln!(
+        text,
+        "\n{:>5} {:<14} {:<6} {:<24} {:>10} {:>9} {:>8} {:>10} {:>11} {:>12} {:>8} {:>8}  front",
+        "modes",
+        "fidelity",
+        "scalar",
+        "integrator",
+        "step/s",
+        "error",
+        "time",
+        "operations",
+        "op. a step",
+        "instr. a step",
+        "data/B",
+        "stack/B"
+    );
+    let mut finished: Vec<&Row<'_>> = rows.iter().filter(|row| row.measured().is_some()).collect();
+    let cost = |row: &Row<'_>| row.measured().map_or(f64::NAN, |m| m.operations_per_second());
+    finished.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    for row in finished {
+        let (one, Some(measured)) = (&row.outcome.configuration, row.measured()) else { continue };
+        let mark = match row.on_front {
+            [true, true] => "both",
+            [true, false] => "time",
+            [false, true] => "operations",
+            [false, false] => "",
+        };
+        let line = format!(
+            "{:>5} {:<14} {:<6} {:<24} {:>10.3e} {:>9.2e} {:>8.2e} {:>10.3e} {:>11.3e} {:>12.1e} {:>8} {:>8}  {mark}",
+            one.modes,
+            one.fidelity.to_string(),
+            one.scalar.name(),
+            one.integrator.name(),
+            measured.step,
+            measured.error(),
+            measured.time,
+            measured.operations_per_second(),
+            measured.operations_per_step(),
+            INSTRUCTIONS_PER_OPERATION * measured.operations_per_step(),
+            row.data_bytes().unwrap_or(0),
+            row.stack_bytes().unwrap_or(0),
+        );
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    for row in rows {
+        let one = &row.outcome.configuration;
+        if let Finding::Failed(reason) = &row.outcome.finding {
+            let _ = writeln!(
+                text,
+                "{:>5} {:<14} {:<6} {:<24} {:>10.3e} failed: {}",
+                one.modes,
+                one.fidelity.to_string(),
+                one.scalar.name(),
+                one.integrator.name(),
+                one.step,
+                ffrf_model::printable(reason)
+            );
+        }
+    }
+    text
+}
+
+/// What the columns are.
+const LEGEND: &str = "\
+error: the largest over the quantities and over time, over the scale of the quantity
+time: processor time of this machine per simulated second, bodies of run-time size; another run gives another
+operations: floating-point operations of compiled code per simulated second, and per step; body kernels are counted by
+  the generator, joints and solve are estimated from the sizes of their blocks
+instr.: instructions per step, estimated from the operations
+data: numbers of the bodies, counted; stack: estimated
+front: no other is both cheaper and more exact
+";
+
+/// Every outcome as a line of comma-separated values.
+pub fn csv(reference: &Reference, rows: &[Row<'_>]) -> String {
+    let mut text = String::from(
+        "modes,fidelity,scalar,integrator,longest_step,step,steps,error,time_per_second,operations_per_second,\
+         evaluations_per_step,operations_per_step,instructions_per_step_estimated,data_bytes,stack_bytes_estimated,\
+         front_time,front_operations",
+    );
+    for channel in &reference.channels {
+        let _ = write!(text, ",error.{}", channel.name);
+    }
+    text.push_str(",failure\n");
+    for row in rows {
+        let one = &row.outcome.configuration;
+        // a list of terms has commas
+        let fidelity = one.fidelity.to_string().replace(", ", "+");
+        let _ = write!(
+            text,
+            "{},{fidelity},{},{},{:e}",
+            one.modes,
+            one.scalar.name(),
+            one.integrator.name(),
+            one.step
+        );
+        match &row.outcome.finding {
+            Finding::Finished(measured) => {
+                let _ = write!(
+                    text,
+                    ",{:e},{},{:e},{:e},{:e},{},{:e},{:e},{},{},{},{}",
+                    measured.step,
+                    measured.steps,
+                    measured.error(),
+                    measured.time,
+                    measured.operations_per_second(),
+                    measured.evaluations,
+                    measured.operations_per_step(),
+                    INSTRUCTIONS_PER_OPERATION * measured.operations_per_step(),
+                    row.data_bytes().unwrap_or(0),
+                    row.stack_bytes().unwrap_or(0),
+                    u8::from(row.on_front[0]),
+                    u8::from(row.on_front[1])
+                );
+                for error in &measured.errors {
+                    let _ = write!(text, ",{error:e}");
+                }
+                text.push_str(",\n");
+            }
+            Finding::Failed(reason) => {
+                text.push_str(&",".repeat(13 + reference.channels.len()));
+                let _ = writeln!(text, "\"{}\"", ffrf_model::printable(reason).replace('"', "\"\""));
+            }
+        }
+    }
+    text
+}

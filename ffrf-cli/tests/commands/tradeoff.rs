@@ -1,0 +1,204 @@
+//! `ffrf tradeoff`: what a sweep finds, that one that was killed goes on, and refusals.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::workbench::{Run, Workbench};
+
+fn model(name: &str) -> String {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../models").join(name).display().to_string()
+}
+
+/// A beam that swings about its clamped end, ten seconds long.
+fn write_scene(bench: &Workbench) {
+    let text = format!(
+        r#"[simulation]
+duration = 2.0
+step = 1e-2
+integrator = "linearly_implicit"
+gravity = [0.0, 0.0, -9.81]
+output_step = 0.05
+[bodies.beam]
+model = "{}"
+[joints.hub]
+kind = "revolute"
+first = "ground"
+second = "beam"
+axis = [0.0, 1.0, 0.0]
+[sensors.tip]
+kind = "position"
+of = "beam.TIP"
+[sensors.hub]
+kind = "reaction_force"
+of = "hub"
+"#,
+        model("spin_up_beam.ffrf.json")
+    );
+    bench.write("scene.toml", &text);
+}
+
+const GRID: [&str; 8] = [
+    "--modes=0,1,3",
+    "--fidelity=linear,full",
+    "--scalar=f64,f32",
+    "--integrator=linearly_implicit,rk4",
+    "--step=2e-2,5e-3",
+    "--reference-tolerance=1e-8",
+    "--quantity=tip",
+    "--quantity=energy",
+];
+
+fn sweep(bench: &Workbench, folder: &str) -> Run {
+    let mut arguments = vec!["tradeoff", "scene.toml", "-o", folder];
+    arguments.extend(GRID);
+    bench.run_words(arguments)
+}
+
+/// A CSV file by its columns.
+fn columns(path: &Path) -> BTreeMap<String, Vec<String>> {
+    let text = fs::read_to_string(path).unwrap();
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let mut found: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for line in lines {
+        let cells: Vec<&str> = line.splitn(names.len(), ',').collect();
+        assert_eq!(cells.len(), names.len(), "{line}");
+        for (name, cell) in names.iter().zip(cells) {
+            found.entry((*name).to_owned()).or_default().push(cell.to_owned());
+        }
+    }
+    found
+}
+
+/// A CSV file without what another run gives otherwise: times, and the front that is made of them.
+fn without_times(path: &Path) -> BTreeMap<String, Vec<String>> {
+    let mut found = columns(path);
+    for name in ["time_per_second", "front_time"] {
+        found.remove(name).unwrap();
+    }
+    found
+}
+
+#[test]
+fn a_sweep_finds_that_modes_and_small_steps_are_exact_and_that_explicit_large_steps_fail() {
+    let bench = Workbench::new();
+    write_scene(&bench);
+    let said = sweep(&bench, "out").succeeded();
+    assert!(said.contains("its own error"), "{said}");
+    for name in [
+        "table.txt",
+        "table.csv",
+        "report.html",
+        "pareto_operations.svg",
+        "pareto_time.svg",
+        "work_precision_operations.svg",
+        "work_precision_time.svg",
+    ] {
+        assert!(bench.path("out").join(name).is_file(), "{name}");
+    }
+    let found = columns(&bench.path("out/table.csv"));
+    // three modes take part in a plane: (1 + 2 · 2) bodies · 2 scalars · 2 integrators · 2 steps
+    assert_eq!(found["modes"].len(), 40);
+    let error = |modes: &str, integrator: &str, step: &str| -> f64 {
+        let k = (0..40).find(|k| {
+            found["modes"][*k] == modes
+                && found["fidelity"][*k] == "full"
+                && found["scalar"][*k] == "f64"
+                && found["integrator"][*k] == integrator
+                && found["longest_step"][*k] == step
+        });
+        found["error"][k.unwrap()].parse().unwrap_or(f64::INFINITY)
+    };
+    // the rigid pendulum is off by what its beam bends, which no step mends
+    let rigid = error("0", "rk4", "5e-3");
+    assert!(rigid > 1e-4, "{rigid}");
+    assert!((error("0", "rk4", "2e-2") / rigid - 1.0).abs() < 0.05);
+    // of order 2, where nothing else is wrong
+    let (coarse, fine) = (error("3", "linearly_implicit", "2e-2"), error("3", "linearly_implicit", "5e-3"));
+    assert!(fine < 0.25 * coarse, "{coarse} {fine}");
+    // every run has an error or a reason
+    for k in 0..40 {
+        assert!(found["error"][k].is_empty() != found["failure"][k].is_empty(), "{k}");
+    }
+    let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
+    assert!(!page.contains("http://") || page.matches("http://").count() == 1, "only the name of SVG");
+    assert!(!page.contains("https://") && page.contains("\"rows\":["));
+}
+
+#[test]
+fn a_sweep_that_is_killed_goes_on_and_ends_as_if_nothing_had_been() {
+    let bench = Workbench::new();
+    write_scene(&bench);
+    sweep(&bench, "whole").succeeded();
+    let runs = bench.path("killed/runs");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_ffrf"))
+        .args(["tradeoff", "scene.toml", "-o", "killed", "--threads=2"])
+        .args(GRID)
+        .current_dir(bench.path(""))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let begin = Instant::now();
+    let count =
+        || fs::read_dir(&runs).map_or(0, |list| list.filter(|one| is_run(one.as_ref().unwrap())).count());
+    while count() < 5 && begin.elapsed() < Duration::from_secs(120) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let before = count();
+    assert!((5..40).contains(&before), "killed after {before} of 40 runs");
+    let first = fs::read_to_string(
+        runs.join(
+            fs::read_dir(&runs)
+                .unwrap()
+                .find_map(|one| {
+                    let one = one.unwrap();
+                    is_run(&one).then(|| one.file_name())
+                })
+                .unwrap(),
+        ),
+    )
+    .unwrap();
+    assert!(first.ends_with("}\n"), "a run is whole or not there: {first}");
+    let said = sweep(&bench, "killed").succeeded();
+    assert!(said.contains(&format!("40 runs, {before} of them here before")), "{said}");
+    assert_eq!(without_times(&bench.path("killed/table.csv")), without_times(&bench.path("whole/table.csv")));
+    // with nothing left to do every byte is the same, times too
+    let table = fs::read(bench.path("killed/table.csv")).unwrap();
+    let page = fs::read(bench.path("killed/report.html")).unwrap();
+    sweep(&bench, "killed").succeeded();
+    assert_eq!(fs::read(bench.path("killed/table.csv")).unwrap(), table);
+    assert_eq!(fs::read(bench.path("killed/report.html")).unwrap(), page);
+}
+
+fn is_run(one: &fs::DirEntry) -> bool {
+    one.file_name().to_string_lossy().ends_with(".json")
+}
+
+#[test]
+fn another_scene_in_the_same_folder_and_unknown_quantities_are_refused() {
+    let bench = Workbench::new();
+    write_scene(&bench);
+    let short =
+        ["--modes=0", "--scalar=f64", "--step=2e-2", "--integrator=rk4", "--reference-tolerance=1e-6"];
+    let with = |more: &[&str]| {
+        let mut arguments = vec!["tradeoff", "scene.toml", "-o", "out"];
+        arguments.extend(short);
+        arguments.extend(more);
+        bench.run_words(arguments)
+    };
+    with(&[]).succeeded();
+    with(&["--quantity=energy"]).failed(1, &["out", "other quantities"]);
+    with(&["--quantity=sensor root"]).failed(1, &["`root`", "`tip`", "`hub`", "`energy`"]);
+    let text = fs::read_to_string(bench.path("scene.toml")).unwrap();
+    bench.write("scene.toml", &text.replace("-9.81", "-1.62"));
+    with(&[]).failed(1, &["out", "another scene"]);
+    bench.run("tradeoff scene.toml -o out --step=-1").failed(2, &["positive"]);
+    bench.run("tradeoff scene.toml -o out --scalar=generic").failed(2, &["f64 or f32"]);
+}

@@ -1,0 +1,197 @@
+//! The calls of the macros that make a scene with a configuration: what is planned, as code.
+//!
+//! What the macro does not have (friction, formulas of time) stands in comments at its place.
+
+use std::fmt::Write as _;
+
+use ffrf_codegen::{Fidelity, ScalarType};
+
+use super::configuration::Configuration;
+use crate::scene::file::{BodyTable, ForceTable, FunctionValue, JointTable, SceneFile, Vector};
+
+/// The calls. `title`: name of the mechanism; `modes`: for each body, none of rigid ones.
+pub(super) fn calls(
+    file: &SceneFile,
+    title: &str,
+    modes: &[Option<usize>],
+    configuration: &Configuration,
+) -> String {
+    let mut text = String::from("// models: paths are relative to the folder of Cargo.toml\n");
+    for ((name, table), modes) in file.bodies.iter().zip(modes) {
+        if let (Some(model), Some(modes)) = (&table.model, modes) {
+            let _ = writeln!(text, "ffrf::flexible_body! {{\n    pub struct {} {{", camel(name));
+            let _ = writeln!(text, "        model: {:?},\n        modes: ..{modes},", model);
+            if configuration.fidelity != Fidelity::Full && *modes > 0 {
+                let _ = writeln!(text, "        fidelity: {},", configuration.fidelity);
+            }
+            if configuration.scalar == ScalarType::F32 {
+                text.push_str("        scalar: f32,\n");
+            }
+            text.push_str("    }\n}\n");
+        }
+    }
+    let _ = writeln!(text, "ffrf::mechanism! {{\n    pub struct {} {{", camel(title));
+    let bodies = file.bodies.iter().zip(modes).map(|((name, table), modes)| body(name, table, *modes));
+    section(&mut text, "bodies", bodies.collect());
+    if file.simulation.gravity != [0.0; 3] {
+        let _ = writeln!(text, "        gravity: {:?},", file.simulation.gravity);
+    }
+    section(&mut text, "joints", file.joints.iter().map(|(name, table)| joint(name, table)).collect());
+    section(&mut text, "drives", file.joints.iter().filter_map(|(name, table)| drive(name, table)).collect());
+    section(&mut text, "forces", file.forces.iter().map(|(name, table)| force(name, table)).collect());
+    let sensors = file.sensors.iter().map(|(name, table)| format!("{name}: {}({}),", table.kind, table.of));
+    section(&mut text, "sensors", sensors.collect());
+    if configuration.scalar == ScalarType::F32 {
+        text.push_str("        scalar: f32,\n");
+    }
+    let step = format!("{:e}", configuration.step);
+    let name = configuration.integrator.name();
+    let _ = writeln!(text, "    }}\n}}\n// integrator: {name}, steps of {step} s");
+    text
+}
+
+fn section(text: &mut String, name: &str, lines: Vec<String>) {
+    if lines.is_empty() {
+        return;
+    }
+    let _ = writeln!(text, "        {name}: {{");
+    for line in lines {
+        let _ = writeln!(text, "            {line}");
+    }
+    text.push_str("        },\n");
+}
+
+fn body(name: &str, table: &BodyTable, modes: Option<usize>) -> String {
+    match (modes, table.mass) {
+        (Some(0), _) => format!("{name}: rigid {},", camel(name)),
+        (Some(_), _) => format!("{name}: {},", camel(name)),
+        (None, mass) => {
+            let mut text = format!("{name}: rigid {{ mass: {:?}", mass.unwrap_or(0.0));
+            if let Some(center) = table.center_of_mass.filter(|center| *center != [0.0; 3]) {
+                let _ = write!(text, ", center_of_mass: {center:?}");
+            }
+            if let Some(inertia) = table.inertia {
+                let _ = write!(text, ", inertia: {inertia:?}");
+            }
+            if !table.markers.is_empty() {
+                let markers = table.markers.iter().map(|(name, place)| format!("{name}: {place:?}"));
+                let _ = write!(text, ", markers: {{ {} }}", markers.collect::<Vec<_>>().join(", "));
+            }
+            text + " },"
+        }
+    }
+}
+
+/// An end; a place on a body in its frame, or a marker of it.
+fn end(name: &str, position: Option<Vector>) -> String {
+    match position {
+        None => name.to_owned(),
+        Some(position) => format!("{name}.at({position:?})"),
+    }
+}
+
+fn axis(axis: Option<Vector>, second: Option<Vector>) -> String {
+    match (axis, second) {
+        (None, None) => String::new(),
+        (Some(axis), None) => format!(", axis: {axis:?}"),
+        (axis, Some(second)) => format!(", axis: ({:?}, {second:?})", axis.unwrap_or([0.0, 0.0, 1.0])),
+    }
+}
+
+fn joint(name: &str, table: &JointTable) -> String {
+    let ends = [end(&table.first, table.first_position), end(&table.second, table.second_position)];
+    let mut text =
+        format!("{name}: {}({}, {}{}", table.kind, ends[0], ends[1], axis(table.axis, table.second_axis));
+    if table.kind == "distance" {
+        match table.length {
+            Some(length) => {
+                let _ = write!(text, ", length: {length:?}");
+            }
+            None => text.push_str(", /* length: the initial distance */"),
+        }
+    }
+    for (what, held) in [("translation", table.translation), ("rotation", table.rotation)] {
+        if let Some(held) = held {
+            let _ = write!(text, ", {what}: {held:?}");
+        }
+    }
+    text + "),"
+}
+
+fn drive(name: &str, table: &JointTable) -> Option<String> {
+    let drive = table.drive.as_ref()?;
+    let (kind, function) = match (&drive.angle, &drive.position) {
+        (Some(angle), _) => ("angle", angle),
+        (None, Some(position)) => ("position", position),
+        (None, None) => return None,
+    };
+    Some(match function {
+        FunctionValue::Polynomial(coefficients) => {
+            format!("{name}_drive: {kind}({name}, polynomial: {coefficients:?}),")
+        }
+        FunctionValue::Text(formula) => {
+            format!(
+                "{name}_drive: {kind}({name}, function: {name}_motion), // value, rate, acceleration of {formula}"
+            )
+        }
+    })
+}
+
+fn force(name: &str, table: &ForceTable) -> String {
+    let first = end(table.first.as_deref().unwrap_or("ground"), table.first_position);
+    let second = end(table.second.as_deref().unwrap_or("ground"), table.second_position);
+    let number = |value: Option<f64>| value.unwrap_or(0.0);
+    let constants = format!("stiffness: {:?}, damping: {:?}", number(table.stiffness), number(table.damping));
+    let at = table.joint.clone().unwrap_or_else(|| format!("{first}, {second}{}", axis(table.axis, None)));
+    match table.kind.as_str() {
+        "spring" => {
+            let rest = table.rest.map_or("/* rest_length: the initial one */".to_owned(), |rest| {
+                format!("rest_length: {rest:?}")
+            });
+            format!("{name}: spring({first}, {second}, {constants}, {rest}),")
+        }
+        "torsion_spring" => {
+            let rest = table.rest.map_or(String::new(), |rest| format!(", rest_angle: {rest:?}"));
+            format!("{name}: torsion_spring({at}, {constants}{rest}),")
+        }
+        "bushing" => {
+            let (stiffness, damping) =
+                (table.stiffness_matrix.unwrap_or([0.0; 6]), table.damping_matrix.unwrap_or([0.0; 6]));
+            format!("{name}: bushing({first}, {second}, stiffness: {stiffness:?}, damping: {damping:?}),")
+        }
+        "force" | "moment" => {
+            let frame = table.frame.as_deref().unwrap_or("inertial");
+            let value = table.value.unwrap_or([0.0; 3]);
+            format!("{name}: {}({second}, value: {value:?}, frame: {frame}),", table.kind)
+        }
+        "actuator" => format!("{name}: actuator({at}), // set its inputs between steps"),
+        other => format!("// {name}: {other} is no part of the macro: an actuator, set between steps"),
+    }
+}
+
+/// `connecting_rod` as the name of a type.
+fn camel(name: &str) -> String {
+    let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let camel: String = words
+        .map(|word| {
+            let mut letters = word.chars();
+            letters
+                .next()
+                .map(|first| first.to_uppercase().chain(letters).collect::<String>())
+                .unwrap_or_default()
+        })
+        .collect();
+    // a name of a type begins with a letter
+    if camel.starts_with(|c: char| c.is_alphabetic()) { camel } else { format!("Scene{camel}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_become_types() {
+        assert_eq!(camel("connecting_rod"), "ConnectingRod");
+        assert_eq!(camel("4-bar"), "Scene4Bar");
+    }
+}

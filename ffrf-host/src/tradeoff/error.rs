@@ -1,0 +1,44 @@
+//! Why a study cannot be made; what a single configuration fails by is an outcome, no error.
+
+use thiserror::Error;
+
+use crate::scene::SceneError;
+
+/// Why a study of a scene cannot be made.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum TradeoffError {
+    /// The scene cannot be read, composed or assembled.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The operations of a body cannot be counted.
+    #[error("operation counts: {0}")]
+    Counts(#[from] ffrf_codegen::CodegenError),
+    /// A quantity that the scene does not have.
+    #[error("quantity `{found}`: expected one of {known}")]
+    Quantity {
+        /// What was asked for.
+        found: String,
+        /// What there is.
+        known: String,
+    },
+    /// The reference could not be computed.
+    #[error("the reference (all modes, tolerance {tolerance:e}): {reason}")]
+    Reference {
+        /// Its relative tolerance per step. Units: 1.
+        tolerance: f64,
+        /// When and why.
+        reason: String,
+    },
+    /// Nothing that may be chosen keeps the budget.
+    #[error("no configuration keeps the error {error:e}: {tried}")]
+    Budget {
+        /// The budget.
+        error: f64,
+        /// What was tried, and what came of it.
+        tried: String,
+    },
+    /// An outcome could not be kept.
+    #[error(transparent)]
+    Keep(#[from] std::io::Error),
+}

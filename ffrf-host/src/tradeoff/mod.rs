@@ -1,0 +1,35 @@
+//! Speed for accuracy: one scene in many configurations, their errors against a reference and what they cost.
+//!
+//! ```text
+//! Study (scene, all modes) ──Reference (error control, own error known)──┐
+//!   └─ Variant (modes, fidelity) ── run (scalar, integrator, step) ── History ── errors, cost ── Outcome
+//! ```
+//!
+//! Which outcomes are kept, and where, is the caller's business: [`sweep`] asks for none that is there already.
+
+mod calls;
+mod channel;
+mod configuration;
+mod cost;
+mod effort;
+mod error;
+mod front;
+mod march;
+mod outcome;
+mod plan;
+mod reference;
+mod study;
+mod sweep;
+mod trajectory;
+
+pub use channel::{Channel, Quantity};
+pub use configuration::{Axes, Configuration};
+pub use cost::StaticCost;
+pub use error::TradeoffError;
+pub use front::front;
+pub use outcome::{Finding, Measured, Outcome, run};
+pub use plan::{Candidate, Choice, ModeUse, Motion, Pilot, Plan, PlanOptions, TermUse, plan};
+pub use reference::{Reference, ReferenceOptions};
+pub use study::{Study, Variant};
+pub use sweep::{Done, sweep};
+pub use trajectory::History;

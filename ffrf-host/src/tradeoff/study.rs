@@ -1,0 +1,178 @@
+//! A scene as its file has it, and the same scene with other modes and fidelities.
+
+use std::path::{Path, PathBuf};
+
+use ffrf_codegen::Fidelity;
+use ffrf_runtime::State;
+
+use super::TradeoffError;
+use super::channel::{Channel, Quantity};
+use super::configuration::Configuration;
+use super::cost::StaticCost;
+use crate::scene::file::{BodyTable, FidelityValue, FunctionValue, SceneFile};
+use crate::scene::{Coordinates, Integrator, Scene, SceneError, Settings, StepChoice};
+use crate::{HostBody, HostModal};
+
+/// A scene to be studied.
+pub struct Study {
+    file: SceneFile,
+    folder: PathBuf,
+    /// For each body its modes; none of rigid ones.
+    available: Vec<Option<usize>>,
+    own: Settings,
+    /// Intervals between the times at which errors are taken.
+    intervals: usize,
+}
+
+/// The scene with so many modes and such terms.
+pub struct Variant {
+    /// The scene.
+    pub scene: Scene,
+    /// Its state at time zero, with the joints met.
+    pub initial: Vec<State<HostModal>>,
+    /// What a step costs, as far as the generator knows.
+    pub cost: StaticCost,
+}
+
+/// Most times at which errors are taken: enough to see every extremum of a few dozen oscillations.
+const MOST_INTERVALS: f64 = 200.0;
+
+impl Study {
+    /// Reads a scene and the models that it names. Errors: see [`SceneError`].
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let folder = path.parent().unwrap_or_else(|| Path::new("")).to_owned();
+        Self::new(SceneFile::read(path)?, folder)
+    }
+
+    /// The study of a scene whose files are looked for in `folder`.
+    pub fn new(file: SceneFile, folder: PathBuf) -> Result<Self, SceneError> {
+        // the scene itself must be sound, not only what becomes of it
+        let scene = Scene::compose(&file, &folder)?;
+        let own = scene.settings;
+        let whole = Scene::compose(&with_bodies(&file, |_, table| without_modes(table)), &folder)?;
+        let flexible = file.bodies.iter().map(|(_, table)| table.model.is_some());
+        let counts = whole.mechanism.bodies().iter().map(HostBody::mode_count);
+        let available = flexible.zip(counts).map(|(flexible, count)| flexible.then_some(count)).collect();
+        let intervals = (own.duration / own.output_step).round().clamp(1.0, MOST_INTERVALS) as usize;
+        Ok(Self { file, folder, available, own, intervals })
+    }
+
+    /// The files that the scene names: models and tables of functions.
+    pub fn inputs(&self) -> Vec<PathBuf> {
+        let models = self.file.bodies.iter().filter_map(|(_, table)| table.model.as_ref());
+        let drives = self.file.joints.iter().filter_map(|(_, table)| table.drive.as_ref());
+        let drives = drives.flat_map(|drive| [&drive.angle, &drive.position]);
+        let inputs = self.file.forces.iter().map(|(_, table)| &table.input);
+        let tables = drives.chain(inputs).flatten().filter_map(|function| match function {
+            FunctionValue::Text(text) => Some(text),
+            FunctionValue::Polynomial(_) => None,
+        });
+        models.chain(tables).map(|name| self.folder.join(name)).filter(|path| path.is_file()).collect()
+    }
+
+    /// The channels that quantities name. Errors: a quantity that the scene does not have.
+    pub fn channels(&self, quantities: &[Quantity]) -> Result<Vec<Channel>, TradeoffError> {
+        let variant = self.variant(self.most_modes(), &Fidelity::Full)?;
+        Channel::of(&variant.scene, quantities)
+    }
+
+    /// The most modes that a body of the scene has.
+    pub fn most_modes(&self) -> usize {
+        self.available.iter().flatten().copied().max().unwrap_or(0)
+    }
+
+    /// How the scene's file says that it is simulated.
+    pub fn settings(&self) -> &Settings {
+        &self.own
+    }
+
+    /// The times at which errors are taken: even, from zero to the duration.
+    pub fn times(&self) -> Vec<f64> {
+        let (count, duration) = (self.intervals, self.own.duration);
+        (0..=count).map(|k| if k == count { duration } else { duration * k as f64 / count as f64 }).collect()
+    }
+
+    /// The interval between these times: no step is longer. Units: s.
+    pub fn interval(&self) -> f64 {
+        self.own.duration / self.intervals as f64
+    }
+
+    /// The settings of a run: the constraints as the scene has them where the integrator goes with that.
+    ///
+    /// Joint coordinates are left for absolute ones, which every integrator and number type goes with.
+    pub fn settings_of(&self, integrator: Integrator, step: StepChoice) -> Result<Settings, SceneError> {
+        let mut table = self.file.simulation.clone();
+        table.integrator = Some(integrator.name().to_owned());
+        (table.step, table.tolerance) = match step {
+            StepChoice::Fixed(step) => (Some(step), None),
+            StepChoice::Tolerance(tolerance) => (None, Some(tolerance)),
+        };
+        table.output_step = Some(self.own.output_step);
+        if integrator != Integrator::GeneralizedAlpha {
+            table.rho_infinity = None;
+        }
+        let goes = |name: &String| name != "minimal" && integrator.treatments().contains(&name.as_str());
+        table.constraints = table.constraints.filter(goes);
+        let settings = Settings::new(&table)?;
+        Ok(Settings { coordinates: Coordinates::Absolute, ..settings })
+    }
+
+    /// The macro calls that make the scene with a configuration. `title`: name of the mechanism.
+    pub fn macro_calls(&self, title: &str, configuration: &Configuration) -> String {
+        let modes: Vec<Option<usize>> =
+            self.available.iter().map(|most| most.map(|most| most.min(configuration.modes))).collect();
+        super::calls::calls(&self.file, title, &modes, configuration)
+    }
+
+    /// The flexible body `index` with all its modes and other terms. Errors: its model cannot be read.
+    pub(super) fn body_with(&self, index: usize, fidelity: &Fidelity) -> Result<HostBody, TradeoffError> {
+        let variant = with_bodies(&self.file, |body, table| {
+            if let Some(available) = self.available.get(body).copied().flatten() {
+                with_modes(table, available, fidelity);
+            }
+        });
+        let scene = Scene::compose(&variant, &self.folder)?;
+        Ok(scene.mechanism.bodies()[index].clone())
+    }
+
+    /// The scene with so many modes of each flexible body, and these terms. Errors: the scene cannot be assembled so.
+    pub fn variant(&self, modes: usize, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
+        let file = with_bodies(&self.file, |body, table| {
+            if let Some(available) = self.available.get(body).copied().flatten() {
+                with_modes(table, modes.min(available), fidelity);
+            }
+        });
+        let scene = Scene::compose(&file, &self.folder)?;
+        let (initial, _) = scene.assembled()?;
+        let cost = StaticCost::of(&file, &self.folder, &scene)?;
+        Ok(Variant { scene, initial, cost })
+    }
+}
+
+/// A copy of a scene with other bodies; joint coordinates, which not every integrator goes with, are left.
+fn with_bodies(file: &SceneFile, change: impl Fn(usize, &mut BodyTable)) -> SceneFile {
+    let mut copy = file.clone();
+    copy.simulation.constraints = copy.simulation.constraints.filter(|name| name != "minimal");
+    for (index, (_, table)) in copy.bodies.iter_mut().enumerate() {
+        change(index, table);
+    }
+    copy
+}
+
+fn without_modes(table: &mut BodyTable) {
+    (table.modes, table.modal_coordinates, table.modal_rates) = (None, None, None);
+}
+
+/// Initial values of modes that the file does not use are zero.
+fn with_modes(table: &mut BodyTable, modes: usize, fidelity: &Fidelity) {
+    table.modes = Some(modes);
+    for list in [&mut table.modal_coordinates, &mut table.modal_rates].into_iter().flatten() {
+        list.resize(modes, 0.0);
+    }
+    table.fidelity = Some(match fidelity {
+        Fidelity::Terms(terms) => {
+            FidelityValue::Terms(terms.iter().map(|term| term.name().to_owned()).collect())
+        }
+        level => FidelityValue::Level(level.name().to_owned()),
+    });
+}

@@ -1,0 +1,86 @@
+//! All configurations over the cores of the machine.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+use super::{Configuration, Outcome, Reference, Study, TradeoffError, Variant, run};
+
+/// How far a sweep is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Done {
+    /// Outcomes that are there, those of earlier sweeps included.
+    pub done: usize,
+    /// All configurations.
+    pub total: usize,
+}
+
+/// Runs the configurations that `known` has no outcome of, hands each outcome to `keep` as soon as it is there, and gives all
+/// of them in the order of `configurations`.
+///
+/// The costliest come first, so that no core waits at the end for one that came late. `threads`: at least one.
+/// Errors: what `keep` says, and variants that cannot be composed.
+pub fn sweep(
+    study: &Study,
+    reference: &Reference,
+    configurations: &[Configuration],
+    known: &BTreeMap<String, Outcome>,
+    threads: usize,
+    keep: &mut dyn FnMut(&Outcome, Done) -> std::io::Result<()>,
+) -> Result<Vec<Outcome>, TradeoffError> {
+    let mut missing: Vec<&Configuration> =
+        configurations.iter().filter(|one| !known.contains_key(&one.key())).collect();
+    missing.sort_by(|a, b| expected_effort(b).total_cmp(&expected_effort(a)));
+    let variants = variants(study, &missing)?;
+    let variant_of = |one: &Configuration| variants.get(&variant_key(one));
+    let next = AtomicUsize::new(0);
+    let mut found: BTreeMap<String, Outcome> = known.clone();
+    let (total, mut done) = (configurations.len(), configurations.len() - missing.len());
+    thread::scope(|scope| {
+        let (sender, receiver) = mpsc::channel();
+        for _ in 0..threads.clamp(1, missing.len().max(1)) {
+            let (sender, next, missing) = (sender.clone(), &next, &missing);
+            scope.spawn(move || {
+                while let Some(one) = missing.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let Some(variant) = variant_of(one) else { continue };
+                    if sender.send(run(study, variant, reference, one)).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        for outcome in receiver {
+            done += 1;
+            // the receiver goes with an error, and with it the threads after their runs
+            keep(&outcome, Done { done, total })?;
+            found.insert(outcome.configuration.key(), outcome);
+        }
+        Ok::<(), TradeoffError>(())
+    })?;
+    Ok(configurations.iter().filter_map(|one| found.get(&one.key()).cloned()).collect())
+}
+
+/// Grows with what a run takes: steps, and about the square of the modes above a constant share.
+fn expected_effort(one: &Configuration) -> f64 {
+    (8.0 + one.modes as f64).powi(2) / one.step
+}
+
+fn variant_key(one: &Configuration) -> (usize, String) {
+    (one.modes, one.fidelity.to_string())
+}
+
+/// Every variant that is needed, composed once.
+fn variants(
+    study: &Study,
+    needed: &[&Configuration],
+) -> Result<BTreeMap<(usize, String), Variant>, TradeoffError> {
+    let mut variants = BTreeMap::new();
+    for one in needed {
+        if let std::collections::btree_map::Entry::Vacant(place) = variants.entry(variant_key(one)) {
+            place.insert(study.variant(one.modes, &one.fidelity)?);
+        }
+    }
+    Ok(variants)
+}

@@ -1,0 +1,195 @@
+//! Plans against sweeps: what is planned keeps its budget, and nothing that a sweep finds is much cheaper.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use ffrf_codegen::{Fidelity, ScalarType};
+use ffrf_host::scene::file::SceneFile;
+use ffrf_host::scene::{Integrator, Scene};
+use ffrf_host::simulate::simulate;
+use ffrf_host::tradeoff::{
+    Axes, Configuration, Finding, Measured, Outcome, PlanOptions, Quantity, Reference, ReferenceOptions,
+    Study, plan, run, sweep,
+};
+
+/// What a plan may exceed its budget by.
+const OVER_BUDGET: f64 = 2.0;
+/// What a plan may cost over the best of a sweep that is as exact.
+const OVER_BEST: f64 = 3.0;
+
+fn scenes() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes")
+}
+
+/// A scene of `models/scenes`, shortened to `duration` (s) and sampled `samples` times.
+fn study(name: &str, duration: f64, samples: f64) -> Study {
+    let mut file = SceneFile::read(&scenes().join(name)).unwrap();
+    file.simulation.duration = duration;
+    file.simulation.output_step = Some(duration / samples);
+    Study::new(file, scenes()).unwrap()
+}
+
+/// Plans, measures what was planned, sweeps, and compares.
+#[track_caller]
+fn compare(
+    name: &str,
+    study: &Study,
+    error: f64,
+    quantities: &[Quantity],
+    modes: Vec<usize>,
+    steps: Vec<f64>,
+) {
+    let integrators = vec![Integrator::Rk4, Integrator::LinearlyImplicit, Integrator::GeneralizedAlpha];
+    let scalars = vec![ScalarType::F64];
+    let options = PlanOptions {
+        error,
+        quantities: quantities.to_vec(),
+        integrators: integrators.clone(),
+        scalars: scalars.clone(),
+    };
+    let found = plan(study, &options).unwrap();
+    let tolerance = 0.1 * found.reference.tolerance;
+    let reference = Reference::compute(study, quantities, ReferenceOptions { tolerance }).unwrap();
+    let one = &found.configuration;
+    let variant = study.variant(one.modes, &one.fidelity).unwrap();
+    let Finding::Finished(planned) = run(study, &variant, &reference, one).finding else {
+        panic!("{name}: {one:?} fails");
+    };
+    let axes = Axes {
+        modes,
+        fidelities: vec![Fidelity::Constant, Fidelity::Linear, Fidelity::Full],
+        scalars,
+        integrators,
+        steps,
+    };
+    let all =
+        sweep(study, &reference, &axes.configurations(), &BTreeMap::new(), 2, &mut |_, _| Ok(())).unwrap();
+    let best = cheapest(&all, error.max(planned.error()));
+    let (measured, cost) = (planned.error(), planned.operations_per_second());
+    eprintln!(
+        "{name}, {error:e}: {} measured {measured:.2e}, predicted {:.2e}, ratio {:.2}; cost {cost:.3e}, best of {} {:.3e} ({}), ratio {:.2}",
+        one.key(),
+        found.predicted_error,
+        measured / found.predicted_error,
+        all.len(),
+        best.1.operations_per_second(),
+        best.0.key(),
+        cost / best.1.operations_per_second()
+    );
+    assert!(
+        reference.own_error() < 0.1 * error,
+        "{name}: the reference itself is off by {}",
+        reference.own_error()
+    );
+    assert!(measured <= OVER_BUDGET * error, "{name}: {measured} of {error}");
+    assert!(cost <= OVER_BEST * best.1.operations_per_second(), "{name}: {cost}");
+}
+
+fn cheapest(all: &[Outcome], error: f64) -> (&Configuration, &Measured) {
+    let kept = all.iter().filter_map(|outcome| match &outcome.finding {
+        Finding::Finished(measured) if measured.error() <= error => Some((&outcome.configuration, measured)),
+        _ => None,
+    });
+    kept.min_by(|a, b| a.1.operations_per_second().total_cmp(&b.1.operations_per_second())).unwrap()
+}
+
+/// From `first` (s) down by factors of two.
+fn steps(first: f64, count: i32) -> Vec<f64> {
+    (0..count).map(|k| first / 2.0_f64.powi(k)).collect()
+}
+
+#[test]
+fn a_plan_of_the_tumbling_rod_keeps_its_budget_and_is_cheap() {
+    let study = study("tumbling_rod.toml", 4.0, 20.0);
+    for error in [3e-2, 1e-3] {
+        compare("tumbling rod", &study, error, &[], vec![0, 1, 2, 3, 4], steps(0.1, 7));
+    }
+}
+
+#[test]
+fn a_plan_of_the_rotor_keeps_its_budget_and_is_cheap() {
+    let study = study("rotor_run_up.toml", 0.3, 60.0);
+    for error in [3e-2, 1e-3] {
+        compare("rotor", &study, error, &[], vec![0], steps(1e-3, 7));
+    }
+}
+
+#[test]
+fn a_plan_of_the_slider_crank_keeps_its_budget_and_is_cheap() {
+    let study = study("slider_crank.toml", 4e-3, 20.0);
+    let reaction = [Quantity::Sensor("bearing".to_owned()), Quantity::Sensor("stroke".to_owned())];
+    compare("slider-crank", &study, 3e-2, &reaction, vec![0, 1, 2, 4], steps(5e-5, 8));
+}
+
+/// The runs of a study are those of the simulation itself.
+#[test]
+fn a_run_of_a_study_is_the_simulation() {
+    let path = scenes().join("double_pendulum.toml");
+    let mut file = SceneFile::read(&path).unwrap();
+    (file.simulation.tolerance, file.simulation.step, file.simulation.integrator) = (None, Some(1e-3), None);
+    (file.simulation.duration, file.simulation.output_step) = (0.2, Some(0.01));
+    let study = Study::new(file.clone(), scenes()).unwrap();
+    let reference = Reference::compute(&study, &[], ReferenceOptions { tolerance: 1e-9 }).unwrap();
+    let scene = Scene::compose(&file, &scenes()).unwrap();
+    let mut shown = Vec::new();
+    simulate(
+        &scene,
+        None,
+        |sample| {
+            shown.push(sample.time);
+            Ok(())
+        },
+        |_| {},
+    )
+    .unwrap();
+    assert_eq!(reference.times.len(), shown.len());
+    for (own, shown) in reference.times.iter().zip(&shown) {
+        assert!((own - shown).abs() < 1e-12);
+    }
+    let variant = study.variant(0, &Fidelity::Full).unwrap();
+    let configuration = |scalar, step| Configuration {
+        modes: 0,
+        fidelity: Fidelity::Full,
+        scalar,
+        integrator: Integrator::Rk4,
+        step,
+    };
+    let measured =
+        |scalar, step| match run(&study, &variant, &reference, &configuration(scalar, step)).finding {
+            Finding::Finished(measured) => measured,
+            Finding::Failed(reason) => panic!("{reason}"),
+        };
+    let (coarse, fine) = (measured(ScalarType::F64, 1e-2), measured(ScalarType::F64, 5e-3));
+    assert_eq!((coarse.steps, fine.steps), (20, 40));
+    // order 4: a factor of 16, less what is not asymptotic
+    assert!(coarse.error() > 10.0 * fine.error(), "{} {}", coarse.error(), fine.error());
+    assert!((coarse.operations_per_second() / fine.operations_per_second() - 0.5).abs() < 1e-12);
+    // single precision has seven digits
+    let single = measured(ScalarType::F32, 1e-3);
+    assert!((1e-9..1e-3).contains(&single.error()), "{}", single.error());
+}
+
+#[test]
+fn the_calls_of_the_macros_name_what_was_chosen() {
+    let study = study("slider_crank.toml", 4e-3, 20.0);
+    let fidelity = Fidelity::Linear;
+    let (scalar, integrator) = (ScalarType::F32, Integrator::LinearlyImplicit);
+    let text = study
+        .macro_calls("slider_crank", &Configuration { modes: 2, fidelity, scalar, integrator, step: 1e-5 });
+    for part in [
+        "pub struct Rod {",
+        "modes: ..2,",
+        "fidelity: linear,",
+        "pub struct SliderCrank {",
+        "rod: Rod,",
+        "gravity: [0.0, 0.0, -9.81],",
+        "small_end: spherical(rod.SMALL_END, piston),",
+        "main_drive: angle(main, polynomial: [0.0, 100.0]),",
+        "bearing: reaction_force(main),",
+        "scalar: f32,",
+        "linearly_implicit, steps of 1e-5 s",
+    ] {
+        assert!(text.contains(part), "`{part}` is not in\n{text}");
+    }
+}
