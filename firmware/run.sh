@@ -9,11 +9,15 @@ if [ "${FFRF_SKIP_FIRMWARE:-}" = 1 ]; then
     echo "SKIPPED: FFRF_SKIP_FIRMWARE=1, nothing was run on a microcontroller's core or in wasm32" >&2
     exit 0
 fi
+# The command of the workspace, where the caller has it built; everything here is built into a folder of its own.
+ffrf=$(realpath -m "${CARGO_TARGET_DIR:-$here/../target}")/debug/ffrf
 . "$here/toolchain.sh"
 cd "$here"
+built=$here/target${build_std:+/debian}
+export CARGO_TARGET_DIR=$built
 steps=${1:-100}
 shift || true
-results=$here/target/results
+results=$built/results
 mkdir -p "$results"
 
 build() { # RUSTFLAGS, package, target, options...
@@ -24,7 +28,7 @@ build() { # RUSTFLAGS, package, target, options...
 
 core() { # RUSTFLAGS, name: the program for a core, copied to its name
     build "$1" board thumbv7em-none-eabihf --bin board $build_std
-    cp target/thumbv7em-none-eabihf/release/board "$results/$2.elf"
+    cp "$built/thumbv7em-none-eabihf/release/board" "$results/$2.elf"
 }
 
 emulate() { # machine and core as the emulator knows them, program, options, words of the command line...
@@ -46,7 +50,7 @@ for flavour in default native; do
     [ $flavour = default ] || flags="-C target-cpu=native"
     # little optimised, in contrast to the targets: no bit depends on that either, and it is built sooner
     CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_OPT_LEVEL=1 build "$flags" desktop $host
-    target/$host/release/desktop "$steps" "$@" > "$results/desktop-$flavour.txt"
+    "$built/$host/release/desktop" "$steps" "$@" > "$results/desktop-$flavour.txt"
 done
 core "-C target-cpu=cortex-m4" m4
 core "-C target-cpu=cortex-m7" m7
@@ -63,7 +67,7 @@ echo "no panic is reachable in the programs for either core, and no allocator is
 
 m4 "" hashes "$steps" "$@" > "$results/cortex-m4f.txt"
 m7 "" hashes "$steps" "$@" > "$results/cortex-m7.txt"
-node wasm/run.mjs target/wasm32-unknown-unknown/release/wasm.wasm "$steps" "$@" > "$results/wasm32.txt"
+node wasm/run.mjs "$built/wasm32-unknown-unknown/release/wasm.wasm" "$steps" "$@" > "$results/wasm32.txt"
 
 differences=0
 for column in desktop-native cortex-m4f cortex-m7 wasm32; do
@@ -78,7 +82,7 @@ done
 
 # One step of each with every tick of a 1 kHz timer, at 500 million instructions a second: about an M7 at 480 MHz. An M4F at
 # 168 MHz has a third of that, and is late with a slider-crank; `ffrf budget` says by how much.
-target/$host/release/desktop loop 200 > "$results/loop.txt"
+"$built/$host/release/desktop" loop 200 > "$results/loop.txt"
 echo "late 0" >> "$results/loop.txt"
 for column in m4 m7; do
     $column "-icount shift=1,sleep=off" loop 200 > "$results/loop-$column.txt" || true
@@ -91,10 +95,9 @@ for column in m4 m7; do
 done
 
 # Stack at or below the bound of the machine code, with the command of the workspace if it is built.
-ffrf=$here/../target/debug/ffrf
 if [ -x "$ffrf" ]; then
-    CARGO=$CARGO CARGO_TARGET_DIR=$here/target FFRF_BUILD_FLAGS=$build_std "$ffrf" budget "$here/../models/conrod.ffrf.json" --modes 4 \
-        --target cortex-m4f --scalar f32 --sources "$here/.." --folder "$here/target/budget" || differences=1
+    CARGO=$CARGO FFRF_BUILD_FLAGS=$build_std "$ffrf" budget "$here/../models/conrod.ffrf.json" --modes 4 \
+        --target cortex-m4f --scalar f32 --sources "$here/.." --folder "$built/budget" || differences=1
 else
     echo "SKIPPED: no budget, $ffrf is not built" >&2
 fi

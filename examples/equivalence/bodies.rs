@@ -39,6 +39,7 @@ pub fn three_bars() -> Result<FeModel, Box<dyn Error>> {
         stiffness: Some(SparseMatrix::try_new_from_triplets(9, 9, &stiffness).map_err(|e| format!("{e:?}"))?),
         fixed_dofs: Vec::new(),
         elements: Vec::new(),
+        materials: Vec::new(),
         sources: Vec::new(),
         notes: Vec::new(),
     })

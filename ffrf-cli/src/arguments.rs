@@ -5,12 +5,14 @@ mod code;
 mod interfaces;
 mod linearise;
 mod simulate;
+mod stiffening;
 mod tradeoff;
 
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand};
 use ffrf_fe::import::{INFLATED_LIMIT, MassForm};
+use ffrf_fe::reduction::{Damping, DampingBand};
 use ffrf_model::Units;
 
 pub use budget::{Budget, Core, TargetIntegrator, TargetScalar};
@@ -18,6 +20,7 @@ pub use code::{Generate, Inspect};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
+pub use stiffening::StiffeningChoice;
 pub use tradeoff::{Plan, Tradeoff};
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.
@@ -206,6 +209,8 @@ pub struct Reduce {
     pub choice: ModeChoice,
     #[command(flatten)]
     pub interfaces: InterfaceChoice,
+    #[command(flatten)]
+    pub stiffening: StiffeningChoice,
     /// Modal stiffness matrix K_ff, M x M, in place of the projected stiffness (text, Matrix Market or NumPy).
     #[arg(long, value_name = "K_ff", help_heading = "Modes")]
     pub modal_stiffness: Option<PathBuf>,
@@ -215,9 +220,19 @@ pub struct Reduce {
         value_name = "ZETA",
         value_delimiter = ',',
         allow_negative_numbers = true,
-        conflicts_with = "rayleigh"
+        conflicts_with_all = ["rayleigh", "damping_bands"]
     )]
     pub damping_ratio: Option<Vec<f64>>,
+    /// Damping ratios by frequency: 1 % below 100 Hz, 10 % below 1 kHz, 100 % above; or your own, up to `inf`.
+    #[arg(
+        long,
+        value_name = "HZ:ZETA,...,inf:ZETA",
+        value_parser = parse_bands,
+        num_args = 0..=1,
+        default_missing_value = "100:0.01,1000:0.1,inf:1",
+        conflicts_with = "rayleigh"
+    )]
+    pub damping_bands: Option<Damping>,
     /// Rayleigh damping D = ALPHA M + BETA K.
     #[arg(long, value_name = "ALPHA,BETA", allow_hyphen_values = true, value_parser = parse_pair)]
     pub rayleigh: Option<(f64, f64)>,
@@ -225,6 +240,10 @@ pub struct Reduce {
     /// commas, or a node set of the deck. Repeatable.
     #[arg(long = "marker", value_name = "NAME=NODE", value_parser = parse_marker)]
     pub markers: Vec<MarkerArgument>,
+    /// Where to observe stress: nodes as for --marker, whose mean is taken. Needs the elements of a deck and its *ELASTIC
+    /// material or --elastic. Repeatable.
+    #[arg(long = "stress", value_name = "NAME=NODE", value_parser = parse_marker)]
+    pub stress: Vec<MarkerArgument>,
     /// Write the surface with the displacements of the modes to this file, for animations (.npz); see `ffrf simulate
     /// --animation`.
     #[arg(long, value_name = "SURFACE.npz", conflicts_with = "interfaces")]
@@ -261,6 +280,9 @@ pub struct Verify {
     pub files: FeFiles,
     #[command(flatten)]
     pub choice: ModeChoice,
+    /// Young's modulus and Poisson's ratio that `ffrf reduce --geometric-stiffness` was given.
+    #[arg(long, value_name = "E,NU", value_parser = parse_pair, allow_hyphen_values = true)]
+    pub elastic: Option<(f64, f64)>,
     /// Number of random states.
     #[arg(long, value_name = "COUNT", default_value_t = 8)]
     pub states: usize,
@@ -292,6 +314,15 @@ fn parse_marker(text: &str) -> Result<MarkerArgument, String> {
     Ok(MarkerArgument { name: name.to_owned(), nodes: nodes.to_owned() })
 }
 
+fn parse_bands(text: &str) -> Result<Damping, String> {
+    let number = |part: &str| part.trim().parse::<f64>().map_err(|error| format!("`{part}`: {error}"));
+    let bands = text.split(',').map(|band| {
+        let (below, ratio) = band.split_once(':').ok_or(format!("`{band}`: expected HZ:ZETA"))?;
+        Ok(DampingBand { below: number(below)?, ratio: number(ratio)? })
+    });
+    Ok(Damping::Bands(bands.collect::<Result<_, String>>()?))
+}
+
 fn parse_mass_form(text: &str) -> Result<MassForm, String> {
     match text {
         "declared" => Ok(MassForm::Declared),
@@ -310,6 +341,8 @@ fn parse_pair(text: &str) -> Result<(f64, f64), String> {
 #[cfg(test)]
 mod tests {
     use clap::{CommandFactory, Parser};
+
+    use ffrf_fe::reduction::{Damping, DampingBand};
 
     use super::{Arguments, Command};
 
@@ -349,6 +382,12 @@ mod tests {
         assert_eq!(damped.rayleigh, Some((0.5, 1e-5)));
         let damped = reduce("--nodes X --mass M --modes 1 -o b --damping-ratio 0.01,0.02").unwrap();
         assert_eq!(damped.damping_ratio, Some(vec![0.01, 0.02]));
+        let damped = reduce("--nodes X --mass M --modes 1 --damping-bands -o b").unwrap();
+        assert_eq!(damped.damping_bands, Some(Damping::common_bands()));
+        let damped = reduce("--nodes X --mass M --modes 1 -o b --damping-bands 20:0.02,inf:0.5").unwrap();
+        let band = |below, ratio| DampingBand { below, ratio };
+        let bands = Damping::Bands(vec![band(20.0, 0.02), band(f64::INFINITY, 0.5)]);
+        assert_eq!(damped.damping_bands, Some(bands));
     }
 
     #[test]
@@ -362,6 +401,8 @@ mod tests {
             "--nodes X --mass M --clamp 1 --mode-shapes P -o b",
             "--nodes X --mass M --modes 1 -o b --rayleigh 1",
             "--nodes X --mass M --modes 1 -o b --rayleigh 1,1 --damping-ratio 0.1",
+            "--nodes X --mass M --modes 1 -o b --damping-bands --damping-ratio 0.1",
+            "--nodes X --mass M --modes 1 -o b --damping-bands 100,0.1",
             "--nodes X --mass M --modes 1 -o b --marker tip",
             "--nodes X --mass M --modes 1 -o b --marker 1=1",
             "--nodes X --mass M --modes 1 -o b --mapping map.txt",

@@ -6,12 +6,13 @@ use ffrf_fe::component_modes::{
     BasisForm, ComponentModes, ComponentRequest, Interface, ModeSelection, StaticLoad, TransferPoint,
     area_weights, component_modes, reduce_component_modes, transfer_functions,
 };
+use ffrf_fe::geometric_stiffness::PrestressSupport;
 use ffrf_fe::modes::Progress;
 use ffrf_fe::reduction::ReductionOptions;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::{CouplingArgument, InterfaceArgument, InterfaceChoice, Reduce};
-use crate::plots;
+use crate::{plots, stiffening, stress};
 
 /// The body, and what there is to say about its modes.
 pub fn reduce(
@@ -39,7 +40,13 @@ pub fn reduce(
     if let Some(limit) = choice.transfer_up_to {
         text.push_str(&compare(model, &modes, choice, limit)?);
     }
-    Ok((reduce_component_modes(model, &modes, options)?, text))
+    let mut body = reduce_component_modes(model, &modes, options)?;
+    let support =
+        PrestressSupport::Interfaces { interfaces: request.interfaces, reference: request.reference };
+    let conversion = arguments.files.conversion();
+    stiffening::add(&mut body, model, &modes.basis, &support, &arguments.stiffening, conversion)?;
+    stress::add(&mut body, model, &modes.basis, arguments)?;
+    Ok((body, text))
 }
 
 fn request(model: &FeModel, choice: &InterfaceChoice, normal_modes: usize) -> Result<ComponentRequest> {

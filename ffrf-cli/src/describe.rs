@@ -27,6 +27,14 @@ pub fn body(body: &ReducedBody) -> String {
         let place = unit.with(&marker.position, "L");
         line(&mut text, "marker", &format!("{} ({nodes}) at {place}", printable(&marker.name)));
     }
+    for marker in &body.stress_markers {
+        let place = unit.with(&marker.position, "L");
+        let nodes = marker.nodes.len();
+        line(&mut text, "stress marker", &format!("{} ({nodes} nodes) at {place}", printable(&marker.name)));
+    }
+    if body.geometric_stiffness.is_some() {
+        line(&mut text, "geometric stiffness", "of inertial loads");
+    }
     for source in &body.provenance.sources {
         let hash: String = source.sha256.chars().take(12).collect();
         let (role, file, hash) = (printable(&source.role), printable(&source.file), printable(&hash));

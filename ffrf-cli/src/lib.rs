@@ -28,6 +28,8 @@ mod results;
 mod sample_states;
 mod simulate;
 mod states;
+mod stiffening;
+mod stress;
 mod trade_text;
 mod tradeoff;
 mod verify;

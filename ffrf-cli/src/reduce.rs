@@ -9,7 +9,7 @@ use ffrf_model::ReducedBody;
 use crate::animation::skin;
 use crate::arguments::{MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
-use crate::{component_modes, describe, fe_input, modes, output};
+use crate::{component_modes, describe, fe_input, modes, output, stiffening, stress};
 
 /// Runs the command.
 pub fn run(arguments: &Reduce) -> Result<()> {
@@ -44,7 +44,11 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     say(&format!("{}\n", solution.report))?;
     let first = solution.report.modes.first().and_then(|mode| mode.frequency_hz);
     fe_input::warn_of_units(&model, arguments.files.body_units(), first);
-    let body = reduce(&model, &solution.basis, &options)?;
+    let mut body = reduce(&model, &solution.basis, &options)?;
+    let support = stiffening::support(&model, &arguments.choice)?;
+    let conversion = arguments.files.conversion();
+    stiffening::add(&mut body, &model, &solution.basis, &support, &arguments.stiffening, conversion)?;
+    stress::add(&mut body, &model, &solution.basis, arguments)?;
     if let Some(target) = &arguments.surface {
         let surface = skin(&model, &solution.basis)?;
         output::write_bytes(target, &surface.encode()?)?;
@@ -69,10 +73,11 @@ fn finish(arguments: &Reduce, body: &ReducedBody) -> Result<()> {
 }
 
 fn options(arguments: &Reduce, nodes: &Nodes) -> Result<ReductionOptions> {
-    let damping = match (&arguments.damping_ratio, arguments.rayleigh) {
-        (Some(ratios), _) => Damping::ModalRatio(ratios.clone()),
-        (None, Some((alpha, beta))) => Damping::Rayleigh { alpha, beta },
-        (None, None) => Damping::None,
+    let damping = match (&arguments.damping_ratio, arguments.rayleigh, &arguments.damping_bands) {
+        (Some(ratios), ..) => Damping::ModalRatio(ratios.clone()),
+        (None, Some((alpha, beta)), _) => Damping::Rayleigh { alpha, beta },
+        (None, None, Some(bands)) => bands.clone(),
+        (None, None, None) => Damping::None,
     };
     Ok(ReductionOptions {
         title: arguments.title.clone().unwrap_or_else(|| arguments.files.name()),

@@ -8,13 +8,15 @@ use std::fmt::Write as _;
 
 use anyhow::{Context, Result, bail};
 use ffrf_codegen::GenerateOptions;
+use ffrf_fe::geometric_stiffness::{SecondOrder, second_order_displacements};
 use ffrf_fe::oracle::{Elastic, Oracle, OracleState, OracleValues, group_of};
+use ffrf_fe::{FeModel, ModeBasis};
 use ffrf_host::kernels::GeneratedKernels;
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Verify;
 use crate::sample_states::{ANGULAR_VELOCITY, DISPLACEMENT, sample_forces, sample_states};
-use crate::{fe_input, modes, output};
+use crate::{fe_input, modes, output, stiffening};
 
 /// Multiples of the unit round-off of the elastic energy's terms that a projected stiffness may carry:
 /// each entry of ΨᵀKΨ is a sum of some hundred to some thousand products, whose errors mostly cancel.
@@ -28,7 +30,11 @@ pub fn run(arguments: &Verify) -> Result<()> {
     let model = fe_input::read(&arguments.files)?;
     let solution =
         modes::solve(&model, &arguments.choice, Some(body.mode_count()), arguments.files.conversion())?;
-    let oracle = Oracle::new(&model, &solution.basis)?;
+    let fields = match &body.geometric_stiffness {
+        Some(_) => Some(second_order(&model, &solution.basis, arguments)?),
+        None => None,
+    };
+    let mut oracle = Oracle::new(&model, &solution.basis)?;
     if oracle.mode_count() != body.mode_count() {
         bail!(
             "{} has {} modes, the mode basis has {}",
@@ -36,6 +42,9 @@ pub fn run(arguments: &Verify) -> Result<()> {
             body.mode_count(),
             oracle.mode_count()
         );
+    }
+    if let Some(fields) = &fields {
+        oracle = oracle.with_second_order(fields)?;
     }
     if arguments.states == 0 {
         bail!("--states: at least one state is needed");
@@ -62,6 +71,19 @@ pub fn run(arguments: &Verify) -> Result<()> {
     } else {
         bail!("deviation above {:.0e}: {}", arguments.tolerance, failed.join(", "))
     }
+}
+
+/// The displacements that make up for geometric stiffness, from the elements.
+fn second_order(model: &FeModel, basis: &ModeBasis, arguments: &Verify) -> Result<SecondOrder> {
+    if arguments.choice.mode_shapes.is_some() {
+        bail!(
+            "geometric stiffness can be verified for computed modes: give --modes, and --clamp as for `ffrf reduce`"
+        );
+    }
+    let support = stiffening::support(model, &arguments.choice)?;
+    let conversion = arguments.files.conversion();
+    let elasticity = stiffening::elasticity(arguments.elastic, conversion);
+    second_order_displacements(model, basis, &support, elasticity).context("geometric stiffness")
 }
 
 /// Largest deviation of each quantity, in the order of first mention.

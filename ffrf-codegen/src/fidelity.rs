@@ -44,11 +44,17 @@ pub enum EnergyTerm {
     ModalRotationDeformed,
     /// ½ q̇·Θ_ff q̇. Always kept.
     Modal,
+    /// -½ q_μ q_ν ω·Θ(Γ_μν) ω: stress stiffness of centrifugal forces. Zero for a model without geometric stiffness.
+    CentrifugalStiffening,
+    /// -ω·ϑ(Γ_μν) q_ν q̇_μ: stress stiffness of angular acceleration.
+    AngularAccelerationStiffening,
+    /// -v·(ω × ½ q_μ q_ν Γ_μν) - v·Γ_μν q_ν q̇_μ: stress stiffness of linear acceleration and gravity, both halves.
+    LinearAccelerationStiffening,
 }
 
 impl EnergyTerm {
     /// Every term, in the order in which the energy is written.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 12] = [
         Self::Translation,
         Self::FirstMoment,
         Self::ModalMomentum,
@@ -58,6 +64,9 @@ impl EnergyTerm {
         Self::ModalRotation,
         Self::ModalRotationDeformed,
         Self::Modal,
+        Self::CentrifugalStiffening,
+        Self::AngularAccelerationStiffening,
+        Self::LinearAccelerationStiffening,
     ];
 
     /// The name by which the macro and the command line know the term.
@@ -72,6 +81,9 @@ impl EnergyTerm {
             Self::ModalRotation => "modal_rotation",
             Self::ModalRotationDeformed => "modal_rotation_deformed",
             Self::Modal => "modal",
+            Self::CentrifugalStiffening => "centrifugal_stiffening",
+            Self::AngularAccelerationStiffening => "angular_acceleration_stiffening",
+            Self::LinearAccelerationStiffening => "linear_acceleration_stiffening",
         }
     }
 
@@ -83,6 +95,16 @@ impl EnergyTerm {
             .into_iter()
             .find(|term| term.name() == name)
             .ok_or_else(|| FidelityError::UnknownTerm { found: name.to_owned() })
+    }
+
+    /// Whether the term is there only in models with geometric stiffness.
+    pub fn is_stiffening(self) -> bool {
+        matches!(
+            self,
+            Self::CentrifugalStiffening
+                | Self::AngularAccelerationStiffening
+                | Self::LinearAccelerationStiffening
+        )
     }
 
     /// Whether the mass matrix is singular without this term.
@@ -100,9 +122,11 @@ pub enum Fidelity {
     ///
     /// `ModalMomentum` is kept whole, so r follows q; where B = 0 the mass matrix is constant.
     Constant,
-    /// Every term up to first order in q: only `RotationQuadratic` is dropped.
+    /// Every term up to first order in q: `RotationQuadratic` and geometric stiffness are dropped.
     Linear,
-    /// Every term.
+    /// Every term but those of geometric stiffness: what the model is without it.
+    Unstiffened,
+    /// Every term, those of geometric stiffness where the model has it.
     #[default]
     Full,
     /// These terms, and those that are always kept.
@@ -111,7 +135,7 @@ pub enum Fidelity {
 
 impl Fidelity {
     /// The named levels, in ascending order.
-    pub const LEVELS: [Self; 4] = [Self::Rigid, Self::Constant, Self::Linear, Self::Full];
+    pub const LEVELS: [Self; 5] = [Self::Rigid, Self::Constant, Self::Linear, Self::Unstiffened, Self::Full];
 
     /// Whether `term` of the kinetic energy is kept.
     pub fn keeps(&self, term: EnergyTerm) -> bool {
@@ -120,7 +144,8 @@ impl Fidelity {
             || match self {
                 Self::Rigid => term == E::FirstMoment,
                 Self::Constant => matches!(term, E::FirstMoment | E::ModalMomentum | E::ModalRotation),
-                Self::Linear => term != E::RotationQuadratic,
+                Self::Linear => term != E::RotationQuadratic && !term.is_stiffening(),
+                Self::Unstiffened => !term.is_stiffening(),
                 Self::Full => true,
                 Self::Terms(terms) => terms.contains(&term),
             }
@@ -137,6 +162,7 @@ impl Fidelity {
             Self::Rigid => "rigid",
             Self::Constant => "constant",
             Self::Linear => "linear",
+            Self::Unstiffened => "unstiffened",
             Self::Full => "full",
             Self::Terms(_) => "terms",
         }
@@ -196,7 +222,7 @@ impl std::str::FromStr for Fidelity {
 pub enum FidelityError {
     /// Neither a level nor a list.
     #[error(
-        "unknown fidelity `{found}`: expected rigid, constant, linear, full, or a list of terms ({})",
+        "unknown fidelity `{found}`: expected rigid, constant, linear, unstiffened, full, or a list of terms ({})",
         EnergyTerm::ALL.map(EnergyTerm::name).join(", ")
     )]
     UnknownLevel {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use ffrf_model::SourceFile;
 
+use crate::elasticity::Elasticity;
 use crate::sparse::SparseMatrix;
 
 /// Nodes, mass and stiffness of one elastic part.
@@ -21,12 +22,23 @@ pub struct FeModel {
     pub stiffness: Option<SparseMatrix>,
     /// Degrees of freedom that the export's boundary conditions held fixed, sorted. Their rows of K are zero.
     pub fixed_dofs: Vec<usize>,
-    /// Elements, if the file had any: for pictures only, no number of the reduction depends on them.
+    /// Elements, if the file had any: for pictures, surfaces and stresses; mass and stiffness do not depend on them.
     pub elements: Vec<Element>,
+    /// Materials, if the file had any: for stresses.
+    pub materials: Vec<SolidMaterial>,
     /// The files read, with hashes.
     pub sources: Vec<SourceFile>,
     /// What the import took for granted or found odd, for the provenance of bodies: files without their folders.
     pub notes: Vec<String>,
+}
+
+/// A material that a file defines.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SolidMaterial {
+    /// Its name; may be empty.
+    pub name: String,
+    /// Its constants; `None` if it is not isotropic, or not the same at all temperatures.
+    pub elasticity: Option<Elasticity>,
 }
 
 /// Node table: row `n` of every field is node `n`.
@@ -57,7 +69,7 @@ impl Nodes {
     }
 }
 
-/// One element, for pictures.
+/// One element.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Element {
     /// Shape and order.

@@ -6,19 +6,23 @@
 #![forbid(unsafe_code)]
 
 pub mod component_modes;
+mod elasticity;
 pub mod elements;
 mod error;
 mod fe_model;
 pub mod formulations;
+pub mod geometric_stiffness;
 pub mod import;
 pub mod modes;
 pub mod oracle;
 pub mod reduction;
 mod sparse;
+pub mod stress;
 mod tolerances;
 pub mod units;
 
+pub use elasticity::Elasticity;
 pub use error::FeError;
-pub use fe_model::{Element, ElementKind, FeModel, Nodes};
+pub use fe_model::{Element, ElementKind, FeModel, Nodes, SolidMaterial};
 pub use modes::ModeBasis;
 pub use sparse::SparseMatrix;

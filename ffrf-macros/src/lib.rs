@@ -20,7 +20,7 @@ use proc_macro::TokenStream;
 ///         model: "models/rotor.ffrf.json",   // relative to the folder of Cargo.toml
 ///         modes: ..8,                        // optional: the first 8 modes only, or 2..5, or [0, 2, 5] (from 0)
 ///         scalar: f64,                       // optional: f64 (default), f32 or generic
-///         fidelity: full,                    // optional: rigid, constant, linear, full, or a list of energy terms
+///         fidelity: full,                    // optional: rigid, constant, linear, unstiffened, full, or a list of energy terms
 ///         jacobians: true,                   // optional: implement ffrf::FlexibleBodyJacobians as well
 ///         fma: auto,                         // optional: auto (default), on, off
 ///         strategy: auto,                    // optional: auto (default), straight_line, lanes

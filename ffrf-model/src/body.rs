@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::geometric_stiffness::GeometricStiffness;
 use crate::inertia::{Inertia, Vector3};
 
 /// The version of the file format that this library writes, and the only one it reads.
@@ -31,8 +32,14 @@ pub struct ReducedBody {
     pub stiffness: Vec<Vec<f64>>,
     /// Modal damping D_ff. Shape: M x M, symmetric.
     pub damping: Vec<Vec<f64>>,
+    /// Stress stiffness of unit inertial loads, if it was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub geometric_stiffness: Option<GeometricStiffness>,
     /// Points where forces act and where motion is observed.
     pub markers: Vec<Marker>,
+    /// Places where stress is observed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stress_markers: Vec<StressMarker>,
 }
 
 impl ReducedBody {
@@ -114,4 +121,18 @@ pub struct Marker {
     ///
     /// A least-squares fit over the marker's nodes or, for a single node, over the nodes it is coupled with.
     pub rotation: Vec<Vector3>,
+}
+
+/// A place of the body where stress is observed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StressMarker {
+    /// Name, unique among all markers of the body; letters, digits and underscores.
+    pub name: String,
+    /// Ids of the nodes over which the stress is averaged.
+    pub nodes: Vec<u64>,
+    /// Their mean reference position in the body frame. Units: m.
+    pub position: Vector3,
+    /// Stress per unit modal coordinate: xx, yy, zz, xy, xz, yz. Shape: M x 6. Units: N/m² for unit modes. Frame: body.
+    pub stress: Vec<[f64; 6]>,
 }

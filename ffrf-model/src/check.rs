@@ -4,7 +4,7 @@ use crate::eigenvalues::smallest_eigenvalue;
 use crate::independence::{Independence, dependent_modes, independence};
 use crate::measured::{Check, Limit};
 use crate::tolerances::{INDEPENDENCE, NEGATIVE_EIGENVALUE, RIGID_PIVOT, SYMMETRY};
-use crate::{Inertia, ModelError, ReducedBody};
+use crate::{Inertia, Matrix3, ModelError, ReducedBody};
 
 /// The checks of one body, in a fixed order.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +53,13 @@ impl ReducedBody {
         checks.push(independent_modes(inertia));
         checks.push(definiteness("smallest eigenvalue of K_ff over its largest entry", &self.stiffness));
         checks.push(definiteness("smallest eigenvalue of D_ff over its largest entry", &self.damping));
+        if let Some(geometric) = &self.geometric_stiffness {
+            let (uniform, linear) = (&geometric.uniform_load, &geometric.linear_load);
+            checks.push(exchange("asymmetry of the geometric stiffness of uniform loads", uniform));
+            let flat: Vec<Vec<[f64; 9]>> =
+                linear.iter().map(|row| row.iter().map(flattened).collect()).collect();
+            checks.push(exchange("asymmetry of the geometric stiffness of linear loads", &flat));
+        }
         checks.extend(marker_names(self));
         Ok(CheckReport { checks })
     }
@@ -75,6 +82,24 @@ fn symmetry<R: AsRef<[f64]>>(subject: &str, matrix: &[R]) -> Check {
         }
     }
     Check::new(subject, relative(deviation, largest(matrix)), Limit::AtMost(SYMMETRY))
+}
+
+fn flattened(matrix: &Matrix3) -> [f64; 9] {
+    std::array::from_fn(|k| matrix[k / 3][k % 3])
+}
+
+/// Γ_νμ = Γ_μν.
+fn exchange<const K: usize>(subject: &str, blocks: &[Vec<[f64; K]>]) -> Check {
+    let (mut deviation, mut scale) = (0.0_f64, 0.0_f64);
+    for (mu, row) in blocks.iter().enumerate() {
+        for (nu, block) in row.iter().enumerate() {
+            for (entry, mirrored) in block.iter().zip(&blocks[nu][mu]) {
+                deviation = deviation.max((entry - mirrored).abs());
+                scale = scale.max(entry.abs());
+            }
+        }
+    }
+    Check::new(subject, relative(deviation, scale), Limit::AtMost(SYMMETRY))
 }
 
 /// T_νμ = T_μνᵀ.
@@ -174,7 +199,8 @@ pub fn is_valid_marker_name(name: &str) -> bool {
 
 /// One check on how many names are at fault, which names them.
 fn marker_names(body: &ReducedBody) -> Vec<Check> {
-    let names: Vec<&str> = body.markers.iter().map(|marker| marker.name.as_str()).collect();
+    let stress = body.stress_markers.iter().map(|marker| marker.name.as_str());
+    let names: Vec<&str> = body.markers.iter().map(|marker| marker.name.as_str()).chain(stress).collect();
     let invalid: Vec<&str> = names.iter().copied().filter(|name| !is_valid_marker_name(name)).collect();
     let repeated: Vec<&str> = names
         .iter()

@@ -114,9 +114,16 @@ impl ReducedBody {
         body.inertia.mode_mode_moment = pick_square(&self.inertia.mode_mode_moment, &indices);
         body.stiffness = pick_square(&self.stiffness, &indices);
         body.damping = pick_square(&self.damping, &indices);
+        if let Some(geometric) = &mut body.geometric_stiffness {
+            geometric.uniform_load = pick_square(&geometric.uniform_load, &indices);
+            geometric.linear_load = pick_square(&geometric.linear_load, &indices);
+        }
         for (marker, whole) in body.markers.iter_mut().zip(&self.markers) {
             marker.translation = pick(&whole.translation, &indices);
             marker.rotation = pick(&whole.rotation, &indices);
+        }
+        for (marker, whole) in body.stress_markers.iter_mut().zip(&self.stress_markers) {
+            marker.stress = pick(&whole.stress, &indices);
         }
         Ok(body)
     }

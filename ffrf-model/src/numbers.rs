@@ -24,10 +24,24 @@ impl ReducedBody {
         }
         walk.rows(|| "stiffness".to_owned(), &self.stiffness);
         walk.rows(|| "damping".to_owned(), &self.damping);
+        if let Some(geometric) = &self.geometric_stiffness {
+            for (mu, row) in geometric.uniform_load.iter().enumerate() {
+                walk.rows(|| format!("geometric_stiffness.uniform_load[{mu}]"), row);
+            }
+            for (mu, row) in geometric.linear_load.iter().enumerate() {
+                for (nu, matrix) in row.iter().enumerate() {
+                    walk.rows(|| format!("geometric_stiffness.linear_load[{mu}][{nu}]"), matrix);
+                }
+            }
+        }
         for (index, marker) in self.markers.iter().enumerate() {
             walk.row(|| format!("markers[{index}].position"), &marker.position);
             walk.rows(|| format!("markers[{index}].translation"), &marker.translation);
             walk.rows(|| format!("markers[{index}].rotation"), &marker.rotation);
+        }
+        for (index, marker) in self.stress_markers.iter().enumerate() {
+            walk.row(|| format!("stress_markers[{index}].position"), &marker.position);
+            walk.rows(|| format!("stress_markers[{index}].stress"), &marker.stress);
         }
         walk.found
     }

@@ -17,9 +17,16 @@ impl ReducedBody {
         square("inertia.mode_mode_moment", &inertia.mode_mode_moment, expected)?;
         square("stiffness", &self.stiffness, expected)?;
         square("damping", &self.damping, expected)?;
+        if let Some(geometric) = &self.geometric_stiffness {
+            square("geometric_stiffness.uniform_load", &geometric.uniform_load, expected)?;
+            square("geometric_stiffness.linear_load", &geometric.linear_load, expected)?;
+        }
         for (index, marker) in self.markers.iter().enumerate() {
             length(&format!("markers[{index}].translation"), &marker.translation, expected)?;
             length(&format!("markers[{index}].rotation"), &marker.rotation, expected)?;
+        }
+        for (index, marker) in self.stress_markers.iter().enumerate() {
+            length(&format!("stress_markers[{index}].stress"), &marker.stress, expected)?;
         }
         match self.find_number(|number| !number.is_finite()) {
             Some((field, found)) => Err(ModelError::NotFinite { field, found }),

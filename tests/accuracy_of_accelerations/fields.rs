@@ -138,6 +138,8 @@ impl Fields {
             },
             stiffness: diagonal(&|mu| frequency(mu).powi(2)),
             damping: diagonal(&|mu| 0.02 * frequency(mu)),
+            geometric_stiffness: None,
+            stress_markers: Vec::new(),
             markers: Vec::new(),
         }
     }

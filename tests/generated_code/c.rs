@@ -72,7 +72,7 @@ fn every_kernel_of_every_body_agrees_with_its_expressions() {
         if options.scalar == ScalarType::Generic {
             continue;
         }
-        let options = GenerateOptions { jacobians: false, ..options };
+        let options = GenerateOptions { jacobians: false, strategy: Strategy::Auto, ..options };
         let kernels = Kernels::formulate(&body, &options).unwrap();
         let Some(program) = CProgram::compile(&generate_c(&body, &options).unwrap()) else { return };
         let modes = body.mode_count();

@@ -30,6 +30,12 @@ mod rigid;
 #[rustfmt::skip]
 #[path = "../golden/single_m3.rs"]
 mod single_m3;
+#[rustfmt::skip]
+#[path = "../golden/stiffened_lanes_m3.rs"]
+mod stiffened_lanes_m3;
+#[rustfmt::skip]
+#[path = "../golden/stiffened_m2.rs"]
+mod stiffened_m2;
 
 use std::path::Path;
 
@@ -84,6 +90,10 @@ fn compiled_code_agrees_with_the_naive_form_and_with_the_interpreter() {
     witness::check::<0, 6, _>(&rigid::RigidBody, &body, &kernels, true);
     let (kernels, body) = find("general_m2");
     witness::check::<2, 8, _>(&general_m2::GeneralBody, &body, &kernels, true);
+    let (kernels, body) = find("stiffened_m2");
+    witness::check::<2, 8, _>(&stiffened_m2::StiffenedBody, &body, &kernels, true);
+    let (kernels, body) = find("stiffened_lanes_m3");
+    witness::check::<3, 9, _>(&stiffened_lanes_m3::StiffenedLanes, &body, &kernels, true);
     let (kernels, body) = find("generic_m2");
     witness::check::<2, 8, _>(&generic_m2::GenericBody, &body, &kernels, true);
     let (kernels, body) = find("normalised_m3");
@@ -121,4 +131,25 @@ fn constants_and_markers_of_a_body_are_those_of_its_model() {
         }
     }
     assert_eq!(GeneralBody.marker("nowhere"), None);
+}
+
+#[test]
+fn stress_markers_of_a_body_are_those_of_its_model() {
+    use ffrf::NamedMarkers;
+    use ffrf::nalgebra::Vector2;
+    use stiffened_m2::StiffenedBody;
+    let (_, body, _) = all().into_iter().find(|(name, ..)| *name == "stiffened_m2").unwrap();
+    assert_eq!(StiffenedBody.stress_marker_names(), ["notch"]);
+    let (marker, model) = (StiffenedBody.stress_marker("notch").unwrap(), &body.stress_markers[0]);
+    assert_eq!(marker.position.as_slice(), model.position);
+    let q = [0.3, -0.7];
+    let expected: [f64; 6] = std::array::from_fn(|k| q[0] * model.stress[0][k] + q[1] * model.stress[1][k]);
+    let found = marker.stress(&Vector2::from(q));
+    // Two products of numbers up to a hundred.
+    assert!(
+        found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-13),
+        "{found:?}"
+    );
+    assert_eq!(marker.von_mises(&Vector2::from(q)), ffrf::von_mises(&found));
+    assert_eq!(StiffenedBody.stress_marker("tip"), None);
 }

@@ -1,9 +1,10 @@
 //! The bodies whose generated code is committed: which model, by which options.
 
-use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType};
-use ffrf_model::ReducedBody;
+use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
+use ffrf_model::{ReducedBody, StressMarker};
 
-use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::random::Random;
+use ffrf_test_kit::random_body::{Modes, random_body, stiffened};
 
 /// Name of the file and of the module, model and options of each golden body.
 pub fn all() -> Vec<(&'static str, ReducedBody, GenerateOptions)> {
@@ -46,5 +47,39 @@ pub fn all() -> Vec<(&'static str, ReducedBody, GenerateOptions)> {
             random_body(7, 2, Modes::Normalised),
             GenerateOptions { jacobians: true, ..options("JacobianBody") },
         ),
+        (
+            "stiffened_m2",
+            with_stress(stiffened(random_body(9, 2, Modes::Normalised), 10, STIFFENING)),
+            options("StiffenedBody"),
+        ),
+        (
+            "stiffened_lanes_m3",
+            stiffened_without_linear_acceleration(),
+            GenerateOptions { strategy: Strategy::Lanes, ..options("StiffenedLanes") },
+        ),
     ]
+}
+
+/// Size of the geometric stiffness, beside masses of modes of about one.
+const STIFFENING: f64 = 0.1;
+
+/// As in mean axes: no stress of a linear acceleration, which loops over lanes do not know.
+fn stiffened_without_linear_acceleration() -> ReducedBody {
+    let mut body = stiffened(random_body(10, 3, Modes::Normalised), 11, STIFFENING);
+    if let Some(geometric) = &mut body.geometric_stiffness {
+        geometric.uniform_load.iter_mut().flatten().for_each(|load| *load = [0.0; 3]);
+    }
+    body
+}
+
+/// With the stress at one node, of random numbers.
+fn with_stress(mut body: ReducedBody) -> ReducedBody {
+    let mut random = Random::new(12);
+    body.stress_markers = vec![StressMarker {
+        name: "notch".to_owned(),
+        nodes: vec![2],
+        position: [0.3, -0.1, 0.2],
+        stress: (0..body.mode_count()).map(|_| std::array::from_fn(|_| 100.0 * random.number())).collect(),
+    }];
+    body
 }

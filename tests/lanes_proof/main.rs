@@ -32,6 +32,7 @@ fn layouts() -> Vec<Layout> {
                 layouts.push(base.with(Invariant::PositionModeMoment, Structure::Zero));
                 layouts.push(base.with(Invariant::PositionModeMoment, Structure::Antisymmetric));
                 layouts.push(base.with(Invariant::ModeModeMoment, Structure::Symmetric));
+                layouts.push(base.with(Invariant::LinearLoadStiffness, Structure::Dense));
             }
         }
     }

@@ -11,7 +11,9 @@ use ffrf_test_kit::proof::mutated::every_mutant_is_found;
 #[test]
 fn any_wrong_operation_in_the_loops_breaks_the_proof() {
     for modal_mass in [Structure::Diagonal, Structure::Symmetric] {
-        let layout = Layout::GENERAL.with(Invariant::ModalMass, modal_mass);
+        let layout = Layout::GENERAL
+            .with(Invariant::ModalMass, modal_mass)
+            .with(Invariant::LinearLoadStiffness, Structure::Dense);
         let mut graph = Graph::new();
         let body = BodyExpressions::symbolic(&mut graph, 2, &layout);
         let loops = whole::<2, 8, 1, 0, 1>(&mut graph, &body);

@@ -69,17 +69,26 @@ fn three_layouts() -> [Layout; 3] {
     ]
 }
 
+/// Free-free modes with the geometric stiffness of linear loads.
+fn stiffened() -> [Layout; 1] {
+    let base = Layout::FREE_FREE.with(Invariant::ModalMass, Structure::Identity);
+    [base.with(Invariant::LinearLoadStiffness, Structure::Dense)]
+}
+
 /// A pair of groups, and a pair with a single group after it; with padding.
 #[test]
 fn loops_over_pairs_of_groups_equal_the_derived_equations() {
     prove_all(6, whole::<6, 12, 2, 1, 0>, &three_layouts(), &[Fidelity::Full, Fidelity::Linear]);
     prove_all(9, whole::<9, 15, 3, 1, 1>, &three_layouts(), &[Fidelity::Full]);
+    prove_all(6, whole::<6, 12, 2, 1, 0>, &stiffened(), &[Fidelity::Full]);
+    prove_all(9, whole::<9, 15, 3, 1, 1>, &stiffened(), &[Fidelity::Full]);
 }
 
 /// The smallest bodies whose moments are stored by half, in blocks of four (f64) and of eight (f32).
 #[test]
 fn loops_over_half_of_the_moments_equal_the_derived_equations() {
     prove_all(21, half::<21, 27, 6, 4, 6, 120>, &three_layouts(), &[Fidelity::Full]);
+    prove_all(21, half::<21, 27, 6, 4, 6, 120>, &stiffened(), &[Fidelity::Full]);
     prove_all(28, half::<28, 34, 8, 8, 4, 48>, &three_layouts()[..1], &[Fidelity::Full]);
 }
 

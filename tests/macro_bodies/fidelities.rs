@@ -7,7 +7,7 @@ use ffrf::{DenseForms, FlexibleBody, FreeBody, GeneralisedForce, Observables};
 use ffrf_codegen::fidelity::EnergyTerm;
 use ffrf_codegen::{Fidelity, GenerateOptions, Kernels};
 use ffrf_test_kit::interpreted_body::InterpretedBody;
-use ffrf_test_kit::random_body::{Modes, random_body};
+use ffrf_test_kit::random_body::{Modes, random_body, stiffened};
 
 /// Half a second of motion with periods of about half a second: a step of 1 ms leaves h⁴ of some 1e-10.
 const CONSERVED: f64 = 1e-8;
@@ -16,10 +16,13 @@ const LEAST_RATIO: f64 = 8.0;
 /// Below this the drift is round-off of the steps, and its ratio says nothing.
 const ROUND_OFF: f64 = 1e-12;
 
+/// Size of the geometric stiffness, beside masses of modes of about one.
+const STIFFENING: f64 = 0.3;
+
 type Interpreted = InterpretedBody<2, 8>;
 
 fn body(fidelity: Fidelity) -> Interpreted {
-    let mut model = random_body(11, 2, Modes::Random);
+    let mut model = stiffened(random_body(11, 2, Modes::Random), 12, STIFFENING);
     model.damping.iter_mut().for_each(|row| row.fill(0.0));
     let options = GenerateOptions { fidelity, ..GenerateOptions::default() };
     InterpretedBody(Kernels::formulate(&model, &options).unwrap())
@@ -75,6 +78,11 @@ fn constant_keeps_energy_and_momenta() {
 #[test]
 fn linear_keeps_energy_and_momenta() {
     keeps_energy_and_momenta(Fidelity::Linear);
+}
+
+#[test]
+fn unstiffened_keeps_energy_and_momenta() {
+    keeps_energy_and_momenta(Fidelity::Unstiffened);
 }
 
 #[test]

@@ -27,6 +27,7 @@ fn body<const M: usize, const G: usize, P>(moments: P) -> LaneBody<'static, f64,
         stiffness: ModalMatrix::Diagonal(Box::leak(Box::new([[40.0; 4]; G]))),
         damping: ModalMatrix::Zero,
         moments,
+        second_order_odd: None,
     }
 }
 

@@ -64,6 +64,8 @@ fn read(modes: usize, next: &mut impl FnMut() -> f64) -> ReducedBody {
         inertia,
         stiffness,
         damping: vec![vec![0.0; modes]; modes],
+        geometric_stiffness: None,
+        stress_markers: Vec::new(),
         markers: Vec::new(),
     }
 }

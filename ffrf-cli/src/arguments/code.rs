@@ -17,7 +17,7 @@ pub struct Inspect {
     /// Use these modes only: the first N, a range A..B or a list A,B,C (from 0).
     #[arg(long, value_name = "N|A..B|A,B,C")]
     pub modes: Option<ModeSelection>,
-    /// Which terms of the kinetic energy are kept: rigid, constant, linear, full, or a list of terms.
+    /// Which terms of the kinetic energy are kept: rigid, constant, linear, unstiffened, full, or a list of terms.
     #[arg(long, value_name = "LEVEL|TERM,TERM,...", default_value = "full")]
     pub fidelity: Fidelity,
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
@@ -53,7 +53,7 @@ pub struct Generate {
     /// Scalar type of all kernels.
     #[arg(long, default_value = "f64", value_parser = named(ScalarType::ALL.map(ScalarType::name), ScalarType::from_name))]
     pub scalar: ScalarType,
-    /// Which terms of the kinetic energy are kept: rigid, constant, linear, full, or a list of terms.
+    /// Which terms of the kinetic energy are kept: rigid, constant, linear, unstiffened, full, or a list of terms.
     #[arg(long, value_name = "LEVEL|TERM,TERM,...", default_value = "full")]
     pub fidelity: Fidelity,
     /// Implement FlexibleBodyJacobians as well.
@@ -123,7 +123,10 @@ mod tests {
             ("b --strategy fast", "[possible values: auto, straight_line, lanes]"),
             ("b --fma maybe", "[possible values: auto, on, off]"),
             ("b --language fortran", "[possible values: rust, c]"),
-            ("b --fidelity quadratic", "rigid, constant, linear, full, or a list of terms (translation, "),
+            (
+                "b --fidelity quadratic",
+                "rigid, constant, linear, unstiffened, full, or a list of terms (translation, ",
+            ),
             ("b --fidelity first_moment,spin", "unknown energy term `spin`: expected translation, "),
             ("b --layout-tolerance 2", "from 0 to below 1"),
             (

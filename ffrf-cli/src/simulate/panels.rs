@@ -90,5 +90,6 @@ fn quantity(kind: &SensorKind) -> (&'static str, &'static str) {
         SensorKind::Angle(_) => ("angle", "rad"),
         SensorKind::ReactionForce(_) => ("force", "N"),
         SensorKind::ReactionMoment(_) => ("moment", "N m"),
+        SensorKind::Stress { .. } => ("stress", "N/m²"),
     }
 }

@@ -2,6 +2,7 @@
 
 use ffrf_model::{Matrix3, ReducedBody};
 
+use super::raw::pairs;
 use super::{BodyExpressions, MomentComponents};
 use crate::expression::{Expression, Graph, Symmetric3};
 use crate::invariants::{Invariant, Structure};
@@ -60,6 +61,20 @@ impl BodyExpressions {
             }
             mode_mode.push(row);
         }
+        // The even and odd combinations are negligible beside the largest entry of the pair of modes.
+        let geometric = body.geometric_stiffness.as_ref();
+        let second_order = pairs(body.mode_count(), |mu, nu| {
+            let stiffness = geometric.map_or([[0.0; 3]; 3], |it| it.linear_load[mu][nu]);
+            let moment = stiffness.map(|row| row.map(|entry| -entry));
+            let scale = moment.as_flattened().iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+            let trace = number.at(moment[0][0] + moment[1][1] + moment[2][2], scale);
+            number.components(&moment, trace, scale)
+        });
+        let second_order_first_moment = pairs(body.mode_count(), |mu, nu| {
+            let stiffness = geometric.map_or([0.0; 3], |it| it.uniform_load[mu][nu]);
+            let scale = stiffness.iter().fold(0.0_f64, |most, entry| most.max(entry.abs()));
+            stiffness.map(|entry| number.at(-entry, scale))
+        });
         let tensor = inertia.inertia_tensor();
         let scale = scales.position * scales.position;
         Self {
@@ -86,6 +101,8 @@ impl BodyExpressions {
             modal_mass_structure: structure,
             stiffness: number.symmetric(&body.stiffness, &scales.stiffness),
             damping: number.symmetric(&body.damping, &scales.damping),
+            second_order_first_moment,
+            second_order,
         }
     }
 }

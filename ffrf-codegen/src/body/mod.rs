@@ -8,7 +8,7 @@ pub use raw::{Matrix, RawInertia};
 pub(crate) use raw::{matrix, trace};
 pub use symbolic::{modal_matrix, raw_inertia};
 
-use crate::expression::{Expression, Graph, Symmetric3, Vector};
+use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3};
 use crate::fidelity::{EnergyTerm, Fidelity};
 use crate::invariants::Structure;
 
@@ -64,6 +64,13 @@ pub struct BodyExpressions {
     pub stiffness: Vec<Vec<Expression>>,
     /// Modal damping D_ff. Shape: M x M.
     pub damping: Vec<Vec<Expression>>,
+    /// Second-order first moments, -Γ_μν of uniform loads. Shape: M x M, symmetric.
+    pub second_order_first_moment: Vec<Vec<Vector>>,
+    /// Components of the second-order moments, -Γ_μν of linear loads. Shape: M x M, symmetric, odd components too.
+    ///
+    /// They stand to the displacements of second order in q, on which uniform and linear loads do the work that stress
+    /// stiffness stores, as T_μ stands to those of first order.
+    pub second_order: Vec<Vec<MomentComponents>>,
 }
 
 impl BodyExpressions {
@@ -98,6 +105,14 @@ impl BodyExpressions {
             }
             mode_mode.push(row);
         }
+        let second_order = raw::pairs(modes, |mu, nu| {
+            let stiffness = &raw.linear_load_stiffness[mu][nu];
+            let moment = matrix(|i, j| graph.negate(stiffness[i][j]));
+            let trace = trace(graph, &moment);
+            MomentComponents::of(graph, &moment, trace)
+        });
+        let second_order_first_moment =
+            raw::pairs(modes, |mu, nu| negate3(graph, raw.uniform_load_stiffness[mu][nu]));
         Self {
             mass: raw.mass,
             first_moment: raw.first_moment,
@@ -109,6 +124,8 @@ impl BodyExpressions {
             modal_mass_structure,
             stiffness,
             damping,
+            second_order_first_moment,
+            second_order,
         }
     }
 
@@ -141,6 +158,17 @@ impl BodyExpressions {
             if !fidelity.keeps(EnergyTerm::ModalRotationDeformed) {
                 components.odd = [zero; 3];
             }
+        }
+        for components in body.second_order.iter_mut().flatten() {
+            if !fidelity.keeps(EnergyTerm::CentrifugalStiffening) {
+                components.even = [zero; 6];
+            }
+            if !fidelity.keeps(EnergyTerm::AngularAccelerationStiffening) {
+                components.odd = [zero; 3];
+            }
+        }
+        if !fidelity.keeps(EnergyTerm::LinearAccelerationStiffening) {
+            body.second_order_first_moment.iter_mut().flatten().for_each(|moment| *moment = [zero; 3]);
         }
         body
     }

@@ -1,7 +1,7 @@
 //! The raw invariants of a body as full matrices: what the energy is written from.
 
 use crate::expression::{Expression, Graph, Vector};
-use crate::invariants::Invariant;
+use crate::invariants::{Invariant, Structure};
 
 /// Rows of a 3 x 3 matrix of expressions.
 pub type Matrix = [Vector; 3];
@@ -25,6 +25,10 @@ pub struct RawInertia {
     pub mode_mode_moment: Vec<Vec<Matrix>>,
     /// Modal mass Θ_ff. Shape: M x M.
     pub modal_mass: Vec<Vec<Expression>>,
+    /// Geometric stiffness Γ_μν^j of the body forces ρ e_j. Shape: M x M x 3, Γ_νμ = Γ_μν.
+    pub uniform_load_stiffness: Vec<Vec<Vector>>,
+    /// Geometric stiffness Γ_μν^{ij} of the body forces ρ xⁱ e_j. Shape: M x M x 3 x 3, Γ_νμ = Γ_μν.
+    pub linear_load_stiffness: Vec<Vec<Matrix>>,
 }
 
 impl RawInertia {
@@ -57,8 +61,44 @@ impl RawInertia {
             position_mode_moment,
             mode_mode_moment,
             modal_mass,
+            uniform_load_stiffness: uniform_load_stiffness(graph, mode_count, Structure::Dense),
+            linear_load_stiffness: linear_load_stiffness(graph, mode_count, Structure::Dense),
         }
     }
+}
+
+/// Γ_μν^j, the same for Γ_νμ^j.
+pub(super) fn uniform_load_stiffness(
+    graph: &mut Graph,
+    mode_count: usize,
+    structure: Structure,
+) -> Vec<Vec<Vector>> {
+    pairs(mode_count, |mu, nu| {
+        [0, 1, 2].map(|j| match structure {
+            Structure::Zero => graph.zero(),
+            _ => graph.symbol(Invariant::UniformLoadStiffness.at([mu, nu, j])),
+        })
+    })
+}
+
+/// Γ_μν^{ij}, the same for Γ_νμ^{ij}.
+pub(super) fn linear_load_stiffness(
+    graph: &mut Graph,
+    mode_count: usize,
+    structure: Structure,
+) -> Vec<Vec<Matrix>> {
+    pairs(mode_count, |mu, nu| {
+        matrix(|i, j| match structure {
+            Structure::Zero => graph.zero(),
+            _ => graph.symbol(Invariant::LinearLoadStiffness.at([mu, nu, i, j])),
+        })
+    })
+}
+
+/// A symmetric M x M list, from `entry(mu, nu)` with mu <= nu.
+pub(super) fn pairs<T>(mode_count: usize, mut entry: impl FnMut(usize, usize) -> T) -> Vec<Vec<T>> {
+    let modes = || 0..mode_count;
+    modes().map(|mu| modes().map(|nu| entry(mu.min(nu), mu.max(nu))).collect()).collect()
 }
 
 /// The symbol of T_μν^{ij}, the same for T_νμ^{ji}.

@@ -1,7 +1,7 @@
 //! A body whose invariants are symbols, as far as its layout leaves them open.
 
 use super::BodyExpressions;
-use super::raw::{Matrix, RawInertia};
+use super::raw::{Matrix, RawInertia, linear_load_stiffness, uniform_load_stiffness};
 use crate::expression::{Expression, Graph};
 use crate::invariants::{Invariant, Structure};
 use crate::layout::Layout;
@@ -76,6 +76,16 @@ pub fn raw_inertia(graph: &mut Graph, mode_count: usize, layout: &Layout) -> Raw
         position_mode_moment,
         mode_mode_moment,
         modal_mass,
+        uniform_load_stiffness: uniform_load_stiffness(
+            graph,
+            mode_count,
+            layout[Invariant::UniformLoadStiffness],
+        ),
+        linear_load_stiffness: linear_load_stiffness(
+            graph,
+            mode_count,
+            layout[Invariant::LinearLoadStiffness],
+        ),
     }
 }
 

@@ -9,7 +9,7 @@ use crate::fidelity::{EnergyTerm, Fidelity};
 /// Units: J. Source: `docs/theory/README.md`, E; [`EnergyTerm`] has the formulas.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct KineticEnergy {
-    terms: [(EnergyTerm, Expression); 9],
+    terms: [(EnergyTerm, Expression); 12],
 }
 
 impl KineticEnergy {
@@ -76,6 +76,29 @@ impl KineticEnergy {
                 let product = graph.multiply(rates, inertia.modal_mass[mu][nu]);
                 let expression = graph.scale(0.5, product);
                 add(graph, EnergyTerm::Modal, expression);
+                // -½ q_μ q_ν ω·Θ(Γ_μν) ω
+                let stiffness = &inertia.linear_load_stiffness[mu][nu];
+                let theta = inertia_matrix(graph, stiffness);
+                let form = quadratic_form(graph, omega, &theta);
+                let product = graph.multiply(coordinates, form);
+                let expression = graph.scale(-0.5, product);
+                add(graph, EnergyTerm::CentrifugalStiffening, expression);
+                // -ω·ϑ(Γ_μν) q_ν q̇_μ
+                let product = spin(graph, omega, stiffness, q_dot[mu]);
+                let product = graph.multiply(q[nu], product);
+                let expression = graph.negate(product);
+                add(graph, EnergyTerm::AngularAccelerationStiffening, expression);
+                // -v·(ω × ½ q_μ q_ν Γ_μν + q_ν q̇_μ Γ_μν)
+                let stiffness = inertia.uniform_load_stiffness[mu][nu];
+                let half = graph.scale(0.5, coordinates);
+                let moment = stiffness.map(|component| graph.multiply(half, component));
+                let carried = cross(graph, omega, moment);
+                let rate = graph.multiply(q[nu], q_dot[mu]);
+                let own = stiffness.map(|component| graph.multiply(rate, component));
+                let sum = sum3(graph, carried, own);
+                let product = dot(graph, v, sum);
+                let expression = graph.negate(product);
+                add(graph, EnergyTerm::LinearAccelerationStiffening, expression);
             }
         }
         Self { terms }

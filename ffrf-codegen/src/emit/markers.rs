@@ -2,28 +2,27 @@
 
 use std::collections::BTreeSet;
 
-use ffrf_model::Marker;
+use ffrf_model::ReducedBody;
 
-/// The names of the markers in upper case, made unique and unlike the `reserved` ones.
-pub(super) fn constant_names(markers: &[Marker], reserved: &[&str]) -> Vec<String> {
+/// The names of the markers in upper case, made unique and unlike the `reserved` ones: those of the markers, then those of the
+/// stress markers.
+pub(super) fn constant_names(body: &ReducedBody, reserved: &[&str]) -> [Vec<String>; 2] {
     let mut taken: BTreeSet<String> = reserved.iter().map(|&name| name.to_owned()).collect();
-    markers
-        .iter()
-        .map(|marker| {
-            let base: String = marker
-                .name
-                .chars()
-                .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
-                .collect();
-            let base =
-                if base.starts_with(|c: char| c.is_ascii_alphabetic()) { base } else { format!("M_{base}") };
-            let mut name = base.clone();
-            let mut copy = 2;
-            while !taken.insert(name.clone()) {
-                name = format!("{base}_MARKER{copy}");
-                copy += 1;
-            }
-            name
-        })
-        .collect()
+    let mut unique = |name: &str| {
+        let base: String = name
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' })
+            .collect();
+        let base =
+            if base.starts_with(|c: char| c.is_ascii_alphabetic()) { base } else { format!("M_{base}") };
+        let mut name = base.clone();
+        let mut copy = 2;
+        while !taken.insert(name.clone()) {
+            name = format!("{base}_MARKER{copy}");
+            copy += 1;
+        }
+        name
+    };
+    let markers = body.markers.iter().map(|marker| unique(&marker.name)).collect();
+    [markers, body.stress_markers.iter().map(|marker| unique(&marker.name)).collect()]
 }

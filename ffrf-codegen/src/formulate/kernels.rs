@@ -353,7 +353,7 @@ pub static PREPARE: Definition = Definition {
         g.section("Elastic and damping forces K q + D q̇");
         let internal = internal_force(g, body, state);
         let momentum: [Vec<Expression>; 3] =
-            axes.map(|i| body.modal_first_moment.iter().map(|moment| moment[i]).collect());
+            axes.map(|i| deformed.modal_first_moment.iter().map(|moment| moment[i]).collect());
         let coupling: [Vec<Expression>; 3] =
             axes.map(|i| deformed.moments.iter().map(|moment| moment.odd[i]).collect());
         let parts: [Vec<Expression>; 7] = [

@@ -21,7 +21,7 @@ pub fn kinetic_energy(
     // Modal momenta p_μ = m b_μ · v + ω · Θ_rf,μ + Θ_ff,μν q̇_ν
     let mut twice = rigid;
     for mu in 0..body.mode_count() {
-        let carried = dot(graph, body.modal_first_moment[mu], state.velocity);
+        let carried = dot(graph, deformed.modal_first_moment[mu], state.velocity);
         let spin = dot(graph, deformed.moments[mu].odd, state.omega);
         let start = graph.add(carried, spin);
         let terms = state.q_dot.iter().enumerate().map(|(nu, &rate)| (body.modal_mass[mu][nu], rate));
@@ -54,7 +54,7 @@ pub fn linear_momentum(
 ) -> Vector {
     let carried = cross(graph, state.omega, deformed.first_moment);
     let moving = [0, 1, 2].map(|i| graph.sum_of_products(carried[i], [(body.mass, state.velocity[i])]));
-    moment_sum(graph, body, moving, &state.q_dot)
+    moment_sum(graph, &deformed.modal_first_moment, moving, &state.q_dot)
 }
 
 /// Angular momentum about the frame origin, L = m r × v + Θ_rr ω + Θ_rf q̇. Shape: 3. Units: N m s. Frame: body.
@@ -89,7 +89,7 @@ pub fn gravity_force(
     let mut force: Vec<Expression> =
         state.gravity.iter().map(|&component| graph.multiply(body.mass, component)).collect();
     force.extend(cross(graph, deformed.first_moment, state.gravity));
-    for moment in &body.modal_first_moment {
+    for moment in &deformed.modal_first_moment {
         force.push(dot(graph, *moment, state.gravity));
     }
     force

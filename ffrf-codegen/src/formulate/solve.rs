@@ -42,7 +42,7 @@ pub fn forward_dynamics(
     let rows = |row: &dyn Fn(usize) -> Vec<Expression>, graph: &mut Graph| {
         [0, 1, 2].map(|i| modal_mass.prepare(graph, &row(i)))
     };
-    let translation = rows(&|i| body.modal_first_moment.iter().map(|b| b[i]).collect(), graph);
+    let translation = rows(&|i| deformed.modal_first_moment.iter().map(|b| b[i]).collect(), graph);
     let rotation = rows(&|i| deformed.moments.iter().map(|moment| moment.odd[i]).collect(), graph);
     let modal = modal_mass.prepare(graph, &modal_residual);
 

@@ -1,7 +1,7 @@
 //! The structured kernels: mass matrix and quadratic velocity vector from one product.
 //!
 //! Everything that depends on the deformation follows from T_μ^d = T_μ + q_ν T_νμ (205), in the nine
-//! components of [`MomentComponents`]. For mass matrix and quadratic velocity vector together that is
+//! components of [`MomentComponents`], with the geometric stiffness -Γ_νμ added to T_νμ where a model has it. For mass matrix and quadratic velocity vector together that is
 //! 11 M² + O(M) fused multiply-adds if Θ_ff is diagonal: eight components of q_ν T_νμ, and three of q̇_ν ϑ_νμ.
 
 use super::{Draft, State};
@@ -14,9 +14,11 @@ const EVEN_NAMES: [&str; 6] = ["trace", "yy", "zz", "xy", "xz", "yz"];
 /// What depends on the deformation q.
 #[derive(Debug, Clone)]
 pub struct DeformedBody {
-    /// Components of T_μ^d(q). Shape: M. Source: (205), index order corrected.
+    /// Components of T_μ^d(q) = T_μ + q_ν (T_νμ - Γ_νμ). Shape: M. Source: (205), index order corrected.
     pub moments: Vec<MomentComponents>,
-    /// First moment m r(q). Units: kg m. Source: (204), r = a + q_μ b_μ.
+    /// Modal first moments m b_μ - Γ_μν q_ν. Shape: M x 3.
+    pub modal_first_moment: Vec<Vector>,
+    /// First moment m r(q). Units: kg m. Source: (204), r = a + q_μ b_μ; less ½ Γ_μν q_μ q_ν.
     pub first_moment: Vector,
     /// Inertia tensor Θ_rr(q). Units: kg m². Source: (204), symmetrised.
     pub inertia: Symmetric3,
@@ -28,11 +30,18 @@ impl DeformedBody {
         graph.section("Deformed moments T_μ + q_ν T_νμ");
         let moments = deformed_moments(graph, body, &state.q);
         graph.section("Deformed first moment m r = m a + m b_μ q_μ");
-        let first_moment = moment_sum(graph, body, body.first_moment, &state.q);
+        let modal_first_moment = deformed_first_moments(graph, body, &state.q);
+        let mean: Vec<Vector> = body
+            .modal_first_moment
+            .iter()
+            .zip(&modal_first_moment)
+            .map(|(own, deformed)| [0, 1, 2].map(|i| mean(graph, own[i], deformed[i])))
+            .collect();
+        let first_moment = moment_sum(graph, &mean, body.first_moment, &state.q);
         label3(graph, first_moment, "first_moment");
         graph.section("Deformed inertia tensor Θ_rr");
         let inertia = deformed_inertia(graph, body, &moments, &state.q);
-        Self { moments, first_moment, inertia }
+        Self { moments, modal_first_moment, first_moment, inertia }
     }
 
     /// Θ_rf c for modal coefficients c. Shape: 3.
@@ -45,15 +54,39 @@ impl DeformedBody {
     }
 }
 
-/// start + m b_μ c_μ
+/// m b_μ - Γ_μν q_ν
+fn deformed_first_moments(graph: &mut Draft, body: &BodyExpressions, q: &[Expression]) -> Vec<Vector> {
+    let mut moments = body.modal_first_moment.clone();
+    for (moment, row) in moments.iter_mut().zip(&body.second_order_first_moment) {
+        for (i, component) in moment.iter_mut().enumerate() {
+            let terms = row.iter().zip(q).map(|(second, &q)| (second[i], q));
+            *component = graph.sum_of_products(*component, terms);
+        }
+    }
+    for (mu, moment) in moments.iter().enumerate() {
+        label3(graph, *moment, &format!("modal_first_moment{mu}"));
+    }
+    moments
+}
+
+/// ½ (a + b), and a itself where both are the same.
+fn mean(graph: &mut Graph, a: Expression, b: Expression) -> Expression {
+    if a == b {
+        return a;
+    }
+    let sum = graph.add(a, b);
+    graph.scale(0.5, sum)
+}
+
+/// start + moment_μ c_μ
 pub(super) fn moment_sum(
     graph: &mut Graph,
-    body: &BodyExpressions,
+    moments: &[Vector],
     start: Vector,
     coefficients: &[Expression],
 ) -> Vector {
     [0, 1, 2].map(|i| {
-        let terms = body.modal_first_moment.iter().zip(coefficients).map(|(moment, &c)| (moment[i], c));
+        let terms = moments.iter().zip(coefficients).map(|(moment, &c)| (moment[i], c));
         graph.sum_of_products(start[i], terms)
     })
 }
@@ -62,17 +95,33 @@ fn deformed_moments(graph: &mut Draft, body: &BodyExpressions, q: &[Expression])
     let mut moments = body.position_mode.clone();
     for (mu, moment) in moments.iter_mut().enumerate() {
         for component in 0..6 {
-            let terms = q.iter().enumerate().map(|(nu, &q)| (body.mode_mode[nu][mu].even[component], q));
+            let terms = pair_terms(graph, body, q, mu, |moment| moment.even[component]);
             moment.even[component] = graph.sum_of_products(moment.even[component], terms);
             graph.label(moment.even[component], format!("moment_{}{mu}", EVEN_NAMES[component]));
         }
         for component in 0..3 {
-            let terms = q.iter().enumerate().map(|(nu, &q)| (body.mode_mode[nu][mu].odd[component], q));
+            let terms = pair_terms(graph, body, q, mu, |moment| moment.odd[component]);
             moment.odd[component] = graph.sum_of_products(moment.odd[component], terms);
             graph.label(moment.odd[component], format!("coupling_{}{mu}", AXES[component]));
         }
     }
     moments
+}
+
+/// A component of T_νμ - Γ_νμ and q_ν, for every ν.
+fn pair_terms(
+    graph: &mut Graph,
+    body: &BodyExpressions,
+    q: &[Expression],
+    mu: usize,
+    component: impl Fn(&MomentComponents) -> Expression,
+) -> Vec<(Expression, Expression)> {
+    let mut terms = Vec::with_capacity(q.len());
+    for (nu, &q) in q.iter().enumerate() {
+        let (first, second) = (component(&body.mode_mode[nu][mu]), component(&body.second_order[nu][mu]));
+        terms.push((graph.add(first, second), q));
+    }
+    terms
 }
 
 /// Θ_rr = Θ + q_μ (Θ_μ + Θ_μᵀ) + q_μ q_ν Θ_μν, from Σ q_μ (T_μ + T_μ^d).
@@ -142,8 +191,8 @@ pub fn mass_matrix(
     }
     for mu in 0..modes {
         for i in 0..3 {
-            columns[6 + mu][i] = body.modal_first_moment[mu][i];
-            columns[i][6 + mu] = body.modal_first_moment[mu][i];
+            columns[6 + mu][i] = deformed.modal_first_moment[mu][i];
+            columns[i][6 + mu] = deformed.modal_first_moment[mu][i];
             columns[6 + mu][3 + i] = deformed.moments[mu].odd[i];
             columns[3 + i][6 + mu] = deformed.moments[mu].odd[i];
         }
@@ -168,11 +217,13 @@ pub fn quadratic_velocity(
 
     graph.section("Translation: ω × (ω × m r + 2 m B q̇)");
     let zero = graph.zero();
-    let momentum = moment_sum(graph, body, [zero; 3], q_dot);
+    let momentum = moment_sum(graph, &deformed.modal_first_moment, [zero; 3], q_dot);
     let twice = momentum.map(|component| graph.scale(2.0, component));
     let carried = cross(graph, omega, deformed.first_moment);
     let sum = sum3(graph, carried, twice);
-    result.extend(cross(graph, omega, sum));
+    let centripetal = cross(graph, omega, sum);
+    let shortening = quadratic_rate(graph, q_dot, |mu, nu| body.second_order_first_moment[mu][nu]);
+    result.extend(sum3(graph, centripetal, shortening));
 
     // Σ q̇_μ Θ_μ^d has an even part, half of the rate of Θ_rr, and an odd part with the axial vector -½ Θ_rf q̇.
     graph.section("Rotation: ω × (Θ_rr ω + Θ_rf q̇) + Θ̇_rr ω");
@@ -193,7 +244,9 @@ pub fn quadratic_velocity(
         let terms = [0, 1, 2].map(|j| (rate.at(i, j), if i == j { twice_omega[i] } else { omega[j] }));
         graph.sum_of_products(zero, terms)
     });
-    result.extend(sum3(graph, gyroscopic, growth));
+    let turning = sum3(graph, gyroscopic, growth);
+    let shortening = quadratic_rate(graph, q_dot, |mu, nu| body.second_order[mu][nu].odd);
+    result.extend(sum3(graph, turning, shortening));
 
     graph.section("Modes: -ω · Θ_μ^d ω + 2 ω · ϑ_νμ q̇_ν");
     let weights = spin_weights(graph, omega);
@@ -210,6 +263,23 @@ pub fn quadratic_velocity(
         result.push(force);
     }
     result
+}
+
+/// moment_μν q̇_μ q̇_ν: the acceleration of second order that steady rates leave.
+fn quadratic_rate(
+    graph: &mut Graph,
+    q_dot: &[Expression],
+    moment: impl Fn(usize, usize) -> Vector,
+) -> Vector {
+    let zero = graph.zero();
+    [0, 1, 2].map(|i| {
+        let mut terms = Vec::with_capacity(q_dot.len());
+        for (mu, &rate) in q_dot.iter().enumerate() {
+            let row = q_dot.iter().enumerate().map(|(nu, &other)| (moment(mu, nu)[i], other));
+            terms.push((graph.sum_of_products(zero, row), rate));
+        }
+        graph.sum_of_products(zero, terms)
+    })
 }
 
 /// Factors of the even components in -ω · (tr(T) I - Tᵀ) ω.

@@ -19,6 +19,8 @@ pub struct Description {
     pub admitted: &'static [Structure],
     /// Its structure for mass-normalised free-free eigenmodes in a frame at the centre of mass along the principal axes.
     pub free_free: Structure,
+    /// Its structure where a layout says nothing about it, if that is not the most general one: few bodies have it.
+    pub undeclared: Option<Structure>,
 }
 
 impl Description {
@@ -32,6 +34,14 @@ impl Description {
         match self.admitted {
             [.., last] => *last,
             [] => Structure::Dense,
+        }
+    }
+
+    /// The structure of an invariant that a layout does not name.
+    pub const fn unnamed(&self) -> Structure {
+        match self.undeclared {
+            Some(structure) => structure,
+            None => self.general(),
         }
     }
 

@@ -31,6 +31,10 @@ pub enum Invariant {
     Stiffness,
     /// Modal damping D_ff.
     Damping,
+    /// Geometric stiffness Γ_μν of uniform body forces; zero unless it is declared.
+    UniformLoadStiffness,
+    /// Geometric stiffness Γ_μν of body forces that are linear in the position; zero unless it is declared.
+    LinearLoadStiffness,
 }
 
 const VECTOR: &[Structure] = &[Zero, Dense];
@@ -47,6 +51,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 0,
         admitted: &[Dense],
         free_free: Dense,
+        undeclared: None,
     },
     Description {
         name: "first_moment",
@@ -56,6 +61,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 1,
         admitted: VECTOR,
         free_free: Zero,
+        undeclared: None,
     },
     Description {
         name: "modal_first_moment",
@@ -65,6 +71,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 1,
         admitted: VECTOR,
         free_free: Zero,
+        undeclared: None,
     },
     Description {
         name: "second_moment",
@@ -74,6 +81,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 2,
         admitted: &[Diagonal, Symmetric],
         free_free: Diagonal,
+        undeclared: None,
     },
     Description {
         name: "position_mode_moment",
@@ -83,6 +91,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 2,
         admitted: MATRICES,
         free_free: Symmetric,
+        undeclared: None,
     },
     Description {
         name: "mode_mode_moment",
@@ -92,6 +101,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 2,
         admitted: MATRICES,
         free_free: Dense,
+        undeclared: None,
     },
     Description {
         name: "modal_mass",
@@ -101,6 +111,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 0,
         admitted: &[Identity, Diagonal, Symmetric],
         free_free: Identity,
+        undeclared: None,
     },
     Description {
         name: "stiffness",
@@ -110,6 +121,7 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 0,
         admitted: MODAL,
         free_free: Diagonal,
+        undeclared: None,
     },
     Description {
         name: "damping",
@@ -119,12 +131,33 @@ const TABLE: [Description; Invariant::ALL.len()] = [
         axes: 0,
         admitted: MODAL,
         free_free: Diagonal,
+        undeclared: None,
+    },
+    Description {
+        name: "uniform_load_stiffness",
+        title: "Geometric stiffness Γ_μν^j of the body forces ρ e_j, M x M x 3, read where μ <= ν; Γ_νμ must be Γ_μν",
+        units: "",
+        modes: 2,
+        axes: 1,
+        admitted: VECTOR,
+        free_free: Zero,
+        undeclared: Some(Zero),
+    },
+    Description {
+        name: "linear_load_stiffness",
+        title: "Geometric stiffness Γ_μν^{ij} of the body forces ρ xⁱ e_j, read where μ <= ν; Γ_νμ must be Γ_μν",
+        units: "",
+        modes: 2,
+        axes: 2,
+        admitted: VECTOR,
+        free_free: Zero,
+        undeclared: Some(Zero),
     },
 ];
 
 impl Invariant {
     /// Every invariant, in the order of the table.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Mass,
         Self::FirstMoment,
         Self::ModalFirstMoment,
@@ -134,6 +167,8 @@ impl Invariant {
         Self::ModalMass,
         Self::Stiffness,
         Self::Damping,
+        Self::UniformLoadStiffness,
+        Self::LinearLoadStiffness,
     ];
 
     /// What the table says.

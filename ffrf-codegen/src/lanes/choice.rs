@@ -12,6 +12,10 @@ use crate::layout::Layout;
 use crate::prepare::prepare;
 use crate::{CodegenError, GenerateOptions, ScalarType};
 
+/// Why the loops do not know [`LinearAccelerationStiffening`](crate::fidelity::EnergyTerm::LinearAccelerationStiffening).
+const LINEAR_ACCELERATION: &str = "they factorise the mass that the modes leave for translation once for all states, which \
+    `linear_acceleration_stiffening` makes one of the deformation";
+
 /// The tables in the code that [`generate`](crate::generate) makes of a body; `None` if that code is straight-line.
 ///
 /// Whoever runs the loops of the runtime over them computes what the generated code computes.
@@ -83,7 +87,10 @@ fn choose_tables(
     body: &BodyExpressions,
     options: &GenerateOptions,
 ) -> Result<Option<LaneTables>, CodegenError> {
-    if in_lanes(body.mode_count(), None, options)? {
+    let moments = body.second_order_first_moment.iter().flatten().flatten();
+    let has_stiffening = moments.into_iter().any(|entry| !graph.is_zero(*entry));
+    let obstacle = has_stiffening.then_some(LINEAR_ACCELERATION);
+    if in_lanes(body.mode_count(), obstacle, options)? {
         tables(graph, body, options).map(Some)
     } else {
         Ok(None)

@@ -25,8 +25,14 @@ pub(super) fn choose(
     options: &GenerateOptions,
 ) -> Result<Option<LaneParameters>, CodegenError> {
     let is_diagonal = matches!(layout[Invariant::ModalMass], Structure::Identity | Structure::Diagonal);
-    let obstacle =
-        (!is_diagonal).then_some("they need a modal mass that the layout declares identity or diagonal");
+    let stiffening = [Invariant::UniformLoadStiffness, Invariant::LinearLoadStiffness];
+    let obstacle = if !is_diagonal {
+        Some("they need a modal mass that the layout declares identity or diagonal")
+    } else if stiffening.into_iter().any(|invariant| layout.is_data(invariant)) {
+        Some("they do not read geometric stiffness from fields")
+    } else {
+        None
+    };
     let lanes = LaneParameters { modes, layout: *layout, fidelity: options.fidelity.clone() };
     Ok(in_lanes(modes, obstacle, options)?.then_some(lanes))
 }

@@ -3,7 +3,7 @@
 use super::table::number;
 use super::{ModalFactors, ModalMatrix, MomentTables, Table};
 use crate::ScalarType;
-use crate::body::BodyExpressions;
+use crate::body::{BodyExpressions, MomentComponents};
 use crate::expression::{Expression, Graph};
 use crate::formulate::ConstantFactors;
 
@@ -45,8 +45,10 @@ pub struct LaneTables<V = f64> {
     pub stiffness: ModalMatrix<V>,
     /// D_ff.
     pub damping: ModalMatrix<V>,
-    /// T_νμ.
+    /// T_νμ, less the even part of the geometric stiffness Γ_νμ.
     pub moments: MomentTables<V>,
+    /// -ϑ(Γ_μν), symmetric in the modes. Shape: groups, modes ν, axes (3), lanes (4) over μ.
+    pub second_order_odd: Option<Table<V>>,
 }
 
 impl LaneTables<Expression> {
@@ -60,12 +62,20 @@ impl LaneTables<Expression> {
         factors: &ConstantFactors,
     ) -> Self {
         let modes = body.mode_count();
+        let even_parts: Vec<Vec<[Expression; 6]>> = body
+            .mode_mode
+            .iter()
+            .zip(&body.second_order)
+            .map(|(first, second)| {
+                let pairs = first.iter().zip(second);
+                pairs.map(|(first, second)| sum(graph, &first.even, &second.even)).collect()
+            })
+            .collect();
         let arrange = Arrangement { zero: graph.zero(), graph };
 
         let components = |mu: usize, nu: usize| {
-            let moment = &body.mode_mode[nu][mu];
-            let [_, yy, zz, xy, xz, yz] = moment.even;
-            let [x, y, z] = moment.odd;
+            let [_, yy, zz, xy, xz, yz] = even_parts[nu][mu];
+            let [x, y, z] = body.mode_mode[nu][mu].odd;
             [yy, zz, xy, xz, yz, x, y, z]
         };
         let is_empty = (0..modes).all(|mu| (0..modes).all(|nu| arrange.is_zero(&components(mu, nu))));
@@ -76,7 +86,7 @@ impl LaneTables<Expression> {
         let even: Vec<[Expression; 6]> = body.position_mode.iter().map(|moment| moment.even).collect();
         let odd: Vec<[Expression; 3]> = body.position_mode.iter().map(|moment| moment.odd).collect();
         let trace: Vec<Vec<Expression>> =
-            body.mode_mode.iter().map(|row| row.iter().map(|moment| moment.even[0]).collect()).collect();
+            even_parts.iter().map(|row| row.iter().map(|even| even[0]).collect()).collect();
         let [xx, yy, zz] = body.inertia.diagonal;
         let [yz, xz, xy] = body.inertia.off_diagonal;
         Self {
@@ -97,6 +107,7 @@ impl LaneTables<Expression> {
             stiffness: arrange.matrix(groups, &body.stiffness),
             damping: arrange.matrix(groups, &body.damping),
             moments,
+            second_order_odd: arrange.pairs_in_lanes(groups, &body.second_order),
         }
     }
 
@@ -121,6 +132,7 @@ impl LaneTables<Expression> {
             stiffness: self.stiffness.numbers(graph),
             damping: self.damping.numbers(graph),
             moments: self.moments.numbers(graph),
+            second_order_odd: table(&self.second_order_odd),
         }
     }
 }
@@ -169,6 +181,10 @@ impl LaneTables {
     }
 }
 
+fn sum(graph: &mut Graph, left: &[Expression; 6], right: &[Expression; 6]) -> [Expression; 6] {
+    std::array::from_fn(|component| graph.add(left[component], right[component]))
+}
+
 /// How expressions become tables.
 struct Arrangement<'a> {
     graph: &'a Graph,
@@ -184,6 +200,15 @@ impl Arrangement<'_> {
     fn in_lanes<const K: usize>(&self, groups: usize, rows: &[[Expression; K]]) -> Option<Table<Expression>> {
         let at = |[group, k, lane]: [usize; 3]| rows.get(4 * group + lane).map_or(self.zero, |row| row[k]);
         (!self.is_zero(rows.as_flattened())).then(|| Table::new([groups, K, 4], at))
+    }
+
+    /// The odd components of every pair of modes, `None` if all are zero. Shape: groups, modes ν, axes (3), lanes (4) over μ.
+    fn pairs_in_lanes(&self, groups: usize, pairs: &[Vec<MomentComponents>]) -> Option<Table<Expression>> {
+        let at = |[group, nu, axis, lane]: [usize; 4]| {
+            pairs.get(4 * group + lane).map_or(self.zero, |row| row[nu].odd[axis])
+        };
+        let is_zero = pairs.iter().flatten().all(|moment| self.is_zero(&moment.odd));
+        (!is_zero).then(|| Table::new([groups, pairs.len(), 3, 4], at))
     }
 
     fn matrix(&self, groups: usize, matrix: &[Vec<Expression>]) -> ModalMatrix<Expression> {

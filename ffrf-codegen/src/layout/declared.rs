@@ -13,12 +13,12 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Nothing is known: every invariant as general as it can be.
+    /// Nothing is known: every invariant as general as it can be, but no geometric stiffness, which has to be declared.
     pub const GENERAL: Self = {
         let mut structures = [Structure::Dense; Invariant::ALL.len()];
         let mut k = 0;
         while k < structures.len() {
-            structures[k] = Invariant::ALL[k].description().general();
+            structures[k] = Invariant::ALL[k].description().unnamed();
             k += 1;
         }
         Self { structures }
@@ -34,6 +34,13 @@ impl Layout {
         }
         Self { structures }
     };
+
+    /// The layout with geometric stiffness of all inertial loads.
+    #[must_use]
+    pub fn stiffened(self) -> Self {
+        self.with(Invariant::UniformLoadStiffness, Structure::Dense)
+            .with(Invariant::LinearLoadStiffness, Structure::Dense)
+    }
 
     /// The layout with another structure of one invariant.
     #[must_use]
@@ -127,7 +134,8 @@ impl IndexMut<Invariant> for Layout {
 impl core::fmt::Display for Layout {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let mut separator = "";
-        for (invariant, structure) in self.entries() {
+        let said = self.entries().filter(|(known, it)| known.description().undeclared != Some(*it));
+        for (invariant, structure) in said {
             write!(f, "{separator}{}: {structure}", invariant.name())?;
             separator = ", ";
         }

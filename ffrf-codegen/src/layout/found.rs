@@ -3,7 +3,7 @@
 //! The invariants are a Gram matrix, so the Cauchy-Schwarz inequality gives each entry its natural scale:
 //! an entry counts as zero if it is below the tolerance times that scale.
 
-use ffrf_model::{Matrix3, ReducedBody};
+use ffrf_model::{GeometricStiffness, Matrix3, ReducedBody};
 
 use super::Layout;
 use crate::invariants::{Invariant, Structure};
@@ -81,6 +81,11 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
         0 => Structure::Identity,
         _ => at_least_diagonal(modal(&modal_mass, &scales.modes)),
     };
+    let geometric = body.geometric_stiffness.as_ref();
+    let stiffening = |entries: fn(&GeometricStiffness) -> Vec<f64>| {
+        let is_zero = |geometric| entries(geometric).iter().all(|entry| *entry == 0.0);
+        zero_or_dense(geometric.is_none_or(is_zero))
+    };
     Layout::GENERAL
         .with(Invariant::FirstMoment, first_moment)
         .with(Invariant::ModalFirstMoment, zero_or_dense(modes_keep_the_centre(body, &scales, tolerance)))
@@ -90,6 +95,29 @@ pub fn found(body: &ReducedBody, tolerance: f64) -> Layout {
         .with(Invariant::ModalMass, modal_mass)
         .with(Invariant::Stiffness, modal(&body.stiffness, &scales.stiffness))
         .with(Invariant::Damping, modal(&body.damping, &scales.damping))
+        .with(Invariant::UniformLoadStiffness, stiffening(|geometric| rows_of(&geometric.uniform_load)))
+        .with(Invariant::LinearLoadStiffness, stiffening(|geometric| rows_of(&geometric.linear_load)))
+}
+
+/// Every number of a list of lists of vectors or matrices.
+fn rows_of<T: Numbers>(blocks: &[Vec<T>]) -> Vec<f64> {
+    blocks.iter().flatten().flat_map(Numbers::numbers).collect()
+}
+
+trait Numbers {
+    fn numbers(&self) -> Vec<f64>;
+}
+
+impl Numbers for [f64; 3] {
+    fn numbers(&self) -> Vec<f64> {
+        self.to_vec()
+    }
+}
+
+impl Numbers for Matrix3 {
+    fn numbers(&self) -> Vec<f64> {
+        self.concat()
+    }
 }
 
 /// True if every b_μ counts as zero.

@@ -29,7 +29,7 @@ impl Layout {
 impl FromStr for Layout {
     type Err = CodegenError;
 
-    /// What is not named is as general as it can be; the empty text is the general layout.
+    /// What is not named is as in the general layout; the empty text is the general layout.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let mut layout = Self::GENERAL;
         let mut seen: Vec<&str> = Vec::new();
@@ -73,7 +73,7 @@ mod tests {
             layout.declare(invariant.name(), structure).unwrap();
             assert_eq!(layout[invariant], structure);
             layout.declare(invariant.name(), Structure::Dense).unwrap();
-            assert_eq!(layout[invariant], Layout::GENERAL[invariant]);
+            assert_eq!(layout[invariant], invariant.description().general());
         }
         assert!(layout.declare("colour", Structure::Zero).is_err());
     }

@@ -30,7 +30,8 @@ fn layouts() -> Vec<Layout> {
     let mut layouts = Vec::new();
     for base in [Layout::GENERAL, Layout::FREE_FREE] {
         for modal_mass in [Structure::Identity, Structure::Diagonal, Structure::Symmetric] {
-            layouts.push(base.with(Invariant::ModalMass, modal_mass));
+            let base = base.with(Invariant::ModalMass, modal_mass);
+            layouts.extend([base, base.stiffened()]);
         }
     }
     layouts

@@ -107,6 +107,11 @@ impl Writer<'_> {
         }
     }
 
+    /// ϑ = ε_ijk T^{ij} e_k, whatever the paper prints.
+    fn axial(&mut self, t: &Matrix) -> Vector {
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| self.graph.subtract(t[i][j], t[j][i]))
+    }
+
     fn scaled(&mut self, factor: f64, a: Vector) -> Vector {
         a.map(|component| self.graph.scale(factor, component))
     }
@@ -127,6 +132,14 @@ impl Writer<'_> {
 
 fn entries(mut entry: impl FnMut(usize, usize) -> Expression) -> Matrix {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)))
+}
+
+/// ½ (Θ + Θᵀ): the part that ω · Θ ω knows.
+fn symmetric_part(w: &mut Writer<'_>, theta: &Matrix) -> Matrix {
+    entries(|i, j| {
+        let sum = w.graph.add(theta[i][j], theta[j][i]);
+        w.graph.scale(0.5, sum)
+    })
 }
 
 fn transpose(matrix: &Matrix) -> Matrix {
@@ -155,20 +168,28 @@ pub fn write(graph: &mut Graph, inertia: &RawInertia, misprint: Option<Misprint>
     let spin_mode_mode: Vec<Vec<_>> =
         inertia.mode_mode_moment.iter().map(|row| row.iter().map(|t| w.spin(t)).collect()).collect();
 
+    // Second-order moments: the stress stiffness of unit loads with the opposite sign
+    let second_theta: Vec<Vec<_>> = (inertia.linear_load_stiffness.iter())
+        .map(|row| row.iter().map(|t| w.inertia(t, false)).collect())
+        .collect();
+    let second_spin: Vec<Vec<_>> =
+        inertia.linear_load_stiffness.iter().map(|row| row.iter().map(|t| w.axial(t)).collect()).collect();
+    let second_first = &inertia.uniform_load_stiffness;
+    let minus_one = w.graph.constant(-1.0);
+
     // (204): m r, Θ_rr, Θ_rf; (205): Θ_μ^d
     let mut first_moment = inertia.first_moment;
     let mut theta_rr = theta;
     let mut theta_rf = Vec::new();
     let mut theta_d = Vec::new();
     let mut modal_momentum = [zero; 3];
+    let mut modal_first = inertia.modal_first_moment.clone();
+    let (mut contraction, mut shortening) = ([zero; 3], [zero; 3]);
     for mu in 0..modes {
         let sign = if w.has(Misprint::FirstMomentSign) { -1.0 } else { 1.0 };
         let signed = w.scaled(sign, inertia.modal_first_moment[mu]);
         let part = w.times(q[mu], signed);
         first_moment = sum3(w.graph, first_moment, part);
-        let part = w.times(q_dot[mu], inertia.modal_first_moment[mu]);
-        modal_momentum = sum3(w.graph, modal_momentum, part);
-
         theta_rr = w.add_matrix(theta_rr, q[mu], &theta_mode[mu]);
         let other = if w.has(Misprint::TwiceTheta) { theta_mode[mu] } else { transpose(&theta_mode[mu]) };
         theta_rr = w.add_matrix(theta_rr, q[mu], &other);
@@ -184,7 +205,30 @@ pub fn write(graph: &mut Graph, inertia: &RawInertia, misprint: Option<Misprint>
             let swapped = both || w.has(Misprint::IndexOrder);
             let inertia = if swapped { theta_mode_mode[mu][nu] } else { theta_mode_mode[nu][mu] };
             deformed = w.add_matrix(deformed, q[nu], &inertia);
+
+            // What stress stiffness adds: in Θ_rr, Θ_rf and Θ_μ^d as T_νμ does, in m r and m B as b_μ does
+            let product = w.graph.multiply(minus_one, product);
+            let symmetric = symmetric_part(&mut w, &second_theta[mu][nu]);
+            theta_rr = w.add_matrix(theta_rr, product, &symmetric);
+            let half = w.graph.scale(0.5, product);
+            let part = w.times(half, second_first[mu][nu]);
+            first_moment = sum3(w.graph, first_moment, part);
+            let minus_q = w.graph.negate(q[nu]);
+            let part = w.times(minus_q, second_spin[mu][nu]);
+            coupling = sum3(w.graph, coupling, part);
+            deformed = w.add_matrix(deformed, minus_q, &second_theta[mu][nu]);
+            let part = w.times(minus_q, second_first[mu][nu]);
+            modal_first[mu] = sum3(w.graph, modal_first[mu], part);
+            // and the accelerations that steady rates leave
+            let rates = w.graph.multiply(q_dot[mu], q_dot[nu]);
+            let minus_rates = w.graph.negate(rates);
+            let part = w.times(minus_rates, second_first[mu][nu]);
+            contraction = sum3(w.graph, contraction, part);
+            let part = w.times(minus_rates, second_spin[mu][nu]);
+            shortening = sum3(w.graph, shortening, part);
         }
+        let part = w.times(q_dot[mu], modal_first[mu]);
+        modal_momentum = sum3(w.graph, modal_momentum, part);
         theta_rf.push(coupling);
         theta_d.push(deformed);
     }
@@ -207,8 +251,8 @@ pub fn write(graph: &mut Graph, inertia: &RawInertia, misprint: Option<Misprint>
             mass_matrix[3 + i][3 + j] = theta_rr[i][j];
         }
         for mu in 0..modes {
-            mass_matrix[i][6 + mu] = inertia.modal_first_moment[mu][i];
-            mass_matrix[6 + mu][i] = inertia.modal_first_moment[mu][i];
+            mass_matrix[i][6 + mu] = modal_first[mu][i];
+            mass_matrix[6 + mu][i] = modal_first[mu][i];
             mass_matrix[3 + i][6 + mu] = theta_rf[mu][i];
             mass_matrix[6 + mu][3 + i] = theta_rf[mu][i];
         }
@@ -227,10 +271,12 @@ pub fn write(graph: &mut Graph, inertia: &RawInertia, misprint: Option<Misprint>
     let coriolis = cross(w.graph, omega, modal_momentum);
     let coriolis = w.scaled(2.0, coriolis);
     let translation = sum3(w.graph, centripetal, coriolis);
+    let translation = sum3(w.graph, translation, contraction);
     // Q_r = ω × (Θ_rr ω) + 2 q̇_μ Θ_μ^d ω
     let gyroscopic = if w.has(Misprint::UndeformedGyroscopic) { theta } else { theta_rr };
     let spin = w.product(&gyroscopic, omega);
-    let mut rotation = cross(w.graph, omega, spin);
+    let rotation = cross(w.graph, omega, spin);
+    let mut rotation = sum3(w.graph, rotation, shortening);
     let mut modal = Vec::new();
     for mu in 0..modes {
         let flip = w.has(Misprint::TransposedInProduct);

@@ -1,5 +1,7 @@
 //! Laws that the derived equations obey at every fidelity: power balance, Galilean invariance, symmetry.
 
+use std::collections::BTreeSet;
+
 use ffrf_codegen::body::RawInertia;
 use ffrf_codegen::derive::{EulerPoincare, KineticEnergy};
 use ffrf_codegen::expression::{Expression, Graph, Input, Symbol, cross, differentiate, dot, subtract3};
@@ -8,20 +10,23 @@ use ffrf_codegen::polynomial::{Polynomial, polynomials_of};
 
 use ffrf_test_kit::proof::compare::Equations;
 
-/// The named levels and every list of terms.
+/// The named levels, every list of inertial terms with all terms of stiffening or none, and every list of those of stiffening with
+/// all inertial terms or none.
+///
+/// The equations are linear in the energy: what holds for these lists holds for their sums and differences, which are all others.
 pub fn all_fidelities() -> Vec<Fidelity> {
-    let optional: Vec<_> = EnergyTerm::ALL.into_iter().filter(|term| !term.is_always_kept()).collect();
-    let lists = (0..1_usize << optional.len()).map(|bits| {
-        Fidelity::Terms(
-            optional
-                .iter()
-                .enumerate()
-                .filter(|(index, _)| bits >> index & 1 == 1)
-                .map(|(_, term)| *term)
-                .collect(),
-        )
-    });
-    Fidelity::LEVELS.into_iter().chain(lists).collect()
+    let optional = EnergyTerm::ALL.into_iter().filter(|term| !term.is_always_kept());
+    let (stiffening, inertial): (Vec<_>, Vec<_>) = optional.partition(|term| term.is_stiffening());
+    let mut fidelities = Fidelity::LEVELS.to_vec();
+    for (varied, other) in [(&inertial, &stiffening), (&stiffening, &inertial)] {
+        for bits in 0..1_usize << varied.len() {
+            let kept = varied.iter().enumerate().filter(|(index, _)| bits >> index & 1 == 1);
+            let kept: BTreeSet<_> = kept.map(|(_, term)| *term).collect();
+            let with_all = kept.iter().chain(other).copied().collect();
+            fidelities.extend([Fidelity::Terms(kept), Fidelity::Terms(with_all)]);
+        }
+    }
+    fidelities
 }
 
 /// Σ_k s_k (M w + Q)_k - dE/dt, which is zero if the equations conserve `energy`.

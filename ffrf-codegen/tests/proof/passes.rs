@@ -28,7 +28,7 @@ static POLYNOMIAL: [&Definition; 8] = [
 fn passes_keep_the_polynomials() {
     let mut changed = 0;
     for mode_count in 0..5 {
-        for layout in [Layout::GENERAL, Layout::FREE_FREE] {
+        for layout in [Layout::GENERAL, Layout::FREE_FREE, Layout::GENERAL.stiffened()] {
             for definition in POLYNOMIAL {
                 let mut graph = Graph::new();
                 let body = BodyExpressions::symbolic(&mut graph, mode_count, &layout);

@@ -42,7 +42,7 @@ pub(crate) struct Coordinates<'a> {
     groups: Vec<Group>,
     /// For each node the group it follows and its arm.
     follows: Vec<Option<(u32, Vector3)>>,
-    /// Full degrees of freedom that the export's boundary conditions hold.
+    /// Full degrees of freedom that the export's boundary conditions or this program hold.
     pub held: Vec<usize>,
 }
 
@@ -51,6 +51,13 @@ impl<'a> Coordinates<'a> {
     ///
     /// Errors: no stiffness, sizes that do not fit, nodes that are held or that two rigid interfaces claim.
     pub fn new(model: &'a FeModel, interfaces: &[Interface]) -> Result<Self, FeError> {
+        Self::held(model, interfaces, &[])
+    }
+
+    /// The same with the nodes of some rows at rest.
+    ///
+    /// Errors: as those of [`Self::new`]; a row that does not exist.
+    pub fn held(model: &'a FeModel, interfaces: &[Interface], rows: &[usize]) -> Result<Self, FeError> {
         let stiffness = model.stiffness.as_ref().ok_or(ModeError::MissingStiffness)?;
         let nodes = model.nodes.len();
         check_size("stiffness", stiffness, 3 * nodes)?;
@@ -58,6 +65,9 @@ impl<'a> Coordinates<'a> {
         let mut is_held = vec![false; 3 * nodes];
         for &dof in &model.fixed_dofs {
             *is_held.get_mut(dof).ok_or(ModeError::UnknownNodeRow { row: dof / 3, nodes })? = true;
+        }
+        for &row in rows {
+            is_held.get_mut(3 * row..3 * row + 3).ok_or(ModeError::UnknownNodeRow { row, nodes })?.fill(true);
         }
         let follows = followers(model, interfaces, &is_held)?;
         let mut compact = vec![NOT_FREE; 3 * nodes];

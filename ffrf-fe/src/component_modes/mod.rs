@@ -43,6 +43,7 @@ mod selection;
 mod shapes;
 mod small;
 mod static_load;
+mod static_shapes;
 mod transfer_function;
 
 pub use crate::error::ComponentModeError;
@@ -57,4 +58,5 @@ pub use report::{ComponentEntry, ComponentReport, NormalEntry};
 pub use request::{BasisForm, ComponentBasis, ComponentRequest};
 pub use selection::NodeSelection;
 pub use static_load::StaticLoad;
+pub(crate) use static_shapes::{static_responses, static_shapes};
 pub use transfer_function::{TransferPoint, transfer_functions};

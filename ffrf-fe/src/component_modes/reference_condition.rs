@@ -63,17 +63,43 @@ pub(crate) fn apply(
         rigid.remove_from(&mut shapes);
         return Ok(shapes);
     }
-    if rigid.count() < 6 {
-        return Err(ComponentModeError::Size {
-            what: "rigid motions that the export leaves, for a frame other than mean axes".to_owned(),
-            expected: 6,
-            found: rigid.count(),
-        });
-    }
+    check_free(rigid.count())?;
     let rows = condition_rows(condition, interfaces)?;
     let of = |shapes: MatRef<'_, f64>| &rows * motion.of(flexibility.coordinates, shapes);
     let amounts = of(rigid.shapes.as_ref()).partial_piv_lu().solve(of(shapes.as_ref()));
     Ok(shapes - flexibility.rigid_shapes(amounts.as_ref()))
+}
+
+/// Forces with the reactions that hold the frame: of inertia in mean axes, at the interfaces that it is tied to otherwise.
+///
+/// Errors: as those of [`apply`].
+pub(crate) fn balance(
+    condition: &ReferenceCondition,
+    flexibility: &Flexibility<'_>,
+    motion: &InterfaceMotion,
+    interfaces: &[Interface],
+    mut forces: Mat<f64>,
+) -> Result<Mat<f64>, ComponentModeError> {
+    let rigid = flexibility.rigid;
+    if rigid.count() == 0 || *condition == ReferenceCondition::MeanAxes {
+        rigid.balance(&mut forces);
+        return Ok(forces);
+    }
+    check_free(rigid.count())?;
+    let rows = condition_rows(condition, interfaces)?;
+    let reactions = motion.forces(flexibility.coordinates) * rows.transpose();
+    let of = |forces: MatRef<'_, f64>| rigid.shapes.transpose() * forces;
+    let amounts = of(reactions.as_ref()).partial_piv_lu().solve(of(forces.as_ref()));
+    Ok(forces - reactions * amounts)
+}
+
+/// A frame other than mean axes needs all six rigid motions.
+fn check_free(found: usize) -> Result<(), ComponentModeError> {
+    if found == 6 {
+        return Ok(());
+    }
+    let what = "rigid motions that the export leaves, for a frame other than mean axes".to_owned();
+    Err(ComponentModeError::Size { what, expected: 6, found })
 }
 
 /// Six rows on the motions of the interfaces that the condition makes zero.

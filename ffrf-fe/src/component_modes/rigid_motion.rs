@@ -40,7 +40,7 @@ impl RigidMotion {
         let count = values.iter().take_while(|&&value| value < 1e-10).count();
         let mut shapes = product(all.as_ref(), vectors.get(.., 0..count), Par::Seq);
         // Twice, so that the second pass works on shapes that are orthonormal but for round-off.
-        for _ in 0..2 {
+        for _ in 0..if count == 0 { 0 } else { 2 } {
             let (values, vectors) = symmetric_eigen(coordinates.mass_gram(shapes.as_ref()).as_ref())?;
             if let Some(&value) = values.first().filter(|&&value| value.is_nan() || value <= 0.0) {
                 return Err(ModeError::MassNotPositive { mass: value }.into());

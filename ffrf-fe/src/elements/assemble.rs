@@ -2,8 +2,9 @@
 
 use faer::sparse::SymbolicSparseColMat;
 
-use crate::{Element, ElementKind, FeError, FeModel, Nodes, SparseMatrix};
+use crate::{Element, ElementKind, FeError, FeModel, Nodes, SolidMaterial, SparseMatrix};
 
+use super::shapes::HEXAHEDRON;
 use super::{ElementError, Material, element_matrices};
 
 /// Assembles isotropic elements of one material.
@@ -36,6 +37,7 @@ pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Re
         stiffness: Some(stiffness.into_matrix(&neighbours)),
         fixed_dofs: Vec::new(),
         elements,
+        materials: vec![SolidMaterial { name: String::new(), elasticity: Some(material.elasticity()) }],
         sources: Vec::new(),
         notes: Vec::new(),
         nodes,
@@ -67,6 +69,49 @@ pub fn brick(lengths: [f64; 3], divisions: [usize; 3], material: &Material) -> R
                     |k: usize| [row(i, j, k), row(i + 1, j, k), row(i + 1, j + 1, k), row(i, j + 1, k)];
                 elements
                     .push(Element { kind: ElementKind::Hexahedron8, nodes: [face(k), face(k + 1)].concat() });
+            }
+        }
+    }
+    let nodes = Nodes { ids: (1..=positions.len() as u64).collect(), positions, ..Nodes::default() };
+    assemble(nodes, elements, material)
+}
+
+/// The same brick of 20-node hexahedra, which do not lock in bending.
+///
+/// Errors: as [`assemble`], for lengths that are not positive.
+pub fn quadratic_brick(
+    lengths: [f64; 3],
+    divisions: [usize; 3],
+    material: &Material,
+) -> Result<FeModel, FeError> {
+    // Places on the grid of half edges: corners have even numbers only, middles of edges one that is odd.
+    let counts = divisions.map(|division| 2 * division + 1);
+    let place = |[i, j, k]: [usize; 3]| (k * counts[1] + j) * counts[0] + i;
+    let mut row_of = vec![None; counts.iter().product()];
+    let mut positions = Vec::new();
+    for k in 0..counts[2] {
+        for j in 0..counts[1] {
+            for i in 0..counts[0] {
+                let at = [i, j, k];
+                if at.iter().filter(|&&number| number % 2 == 1).count() > 1 {
+                    continue;
+                }
+                row_of[place(at)] = Some(positions.len());
+                let length = |axis: usize| lengths[axis] * at[axis] as f64 / (2 * divisions[axis]) as f64;
+                positions.push([length(0), length(1), length(2)]);
+            }
+        }
+    }
+    let mut elements = Vec::with_capacity(divisions.iter().product());
+    for k in 0..divisions[2] {
+        for j in 0..divisions[1] {
+            for i in 0..divisions[0] {
+                // Reference coordinates -1, 0, 1 are the half edges 0, 1, 2 of the element.
+                let nodes = HEXAHEDRON.iter().filter_map(|corner| {
+                    let half = corner.map(|x| (x + 1.0) as usize);
+                    row_of[place([2 * i + half[0], 2 * j + half[1], 2 * k + half[2]])]
+                });
+                elements.push(Element { kind: ElementKind::Hexahedron20, nodes: nodes.collect() });
             }
         }
     }

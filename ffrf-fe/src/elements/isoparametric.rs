@@ -33,12 +33,12 @@ pub struct ElementMatrices {
 pub fn quadrature(kind: ElementKind, corners: &[[f64; 3]]) -> Result<Vec<QuadraturePoint>, ElementError> {
     let (rule, functions, expected): (_, ShapeFunctions, _) = match kind {
         ElementKind::Hexahedron8 => (rules::hexahedron8(), shapes::hexahedron8, 8),
+        ElementKind::Hexahedron20 => (rules::hexahedron20(), shapes::hexahedron20, 20),
         ElementKind::Tetrahedron4 => (rules::tetrahedron4(), shapes::tetrahedron4, 4),
-        _ => return Err(ElementError::Unsupported { kind }),
+        ElementKind::Tetrahedron10 => (rules::tetrahedron10(), shapes::tetrahedron10, 10),
+        ElementKind::Wedge6 => (rules::wedge6(), shapes::wedge6, 6),
     };
-    if corners.len() != expected {
-        return Err(ElementError::NodeCount { kind, expected, found: corners.len() });
-    }
+    check_count(kind, expected, corners)?;
     rule.into_iter()
         .map(|point| {
             let (shape, local): (Vec<f64>, Vec<[f64; 3]>) = functions(point.at).into_iter().unzip();
@@ -46,6 +46,29 @@ pub fn quadrature(kind: ElementKind, corners: &[[f64; 3]]) -> Result<Vec<Quadrat
             Ok(QuadraturePoint { shape, gradient, volume: point.weight * determinant })
         })
         .collect()
+}
+
+fn check_count(kind: ElementKind, expected: usize, corners: &[[f64; 3]]) -> Result<(), ElementError> {
+    let found = corners.len();
+    if found == expected { Ok(()) } else { Err(ElementError::NodeCount { kind, expected, found }) }
+}
+
+/// ∂N_a/∂x at a reference point.
+pub(super) fn gradients_at(
+    kind: ElementKind,
+    corners: &[[f64; 3]],
+    at: [f64; 3],
+) -> Result<Vec<[f64; 3]>, ElementError> {
+    let (functions, expected): (ShapeFunctions, _) = match kind {
+        ElementKind::Hexahedron8 => (shapes::hexahedron8, 8),
+        ElementKind::Hexahedron20 => (shapes::hexahedron20, 20),
+        ElementKind::Tetrahedron4 => (shapes::tetrahedron4, 4),
+        ElementKind::Tetrahedron10 => (shapes::tetrahedron10, 10),
+        ElementKind::Wedge6 => (shapes::wedge6, 6),
+    };
+    check_count(kind, expected, corners)?;
+    let local: Vec<[f64; 3]> = functions(at).into_iter().map(|(_, gradient)| gradient).collect();
+    Ok(space_gradients(corners, &local)?.0)
 }
 
 /// Stiffness ∫ BᵀDB and consistent mass ∫ ρ N_a N_b of an isotropic element.
@@ -116,6 +139,14 @@ mod tests {
         [1.2, 1.0, 1.1],
         [-0.1, 1.0, 1.0],
     ];
+    const WEDGE: [[f64; 3]; 6] = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.1, 0.0],
+        [0.2, 0.9, 0.1],
+        [0.1, 0.0, 1.0],
+        [1.1, 0.1, 0.9],
+        [0.2, 1.0, 1.2],
+    ];
     const TETRAHEDRON: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.1, 0.0], [0.2, 0.9, 0.1], [0.0, 0.2, 1.1]];
 
     /// A linear displacement field u = G x has the energy ½ V (λ tr² ε + 2 μ ε:ε), and rotations have none.
@@ -126,9 +157,21 @@ mod tests {
             [[0.0, -0.3, 0.2], [0.3, 0.0, -0.1], [-0.2, 0.1, 0.0]],
             [[0.1, 0.2, -0.3], [0.0, 0.4, 0.1], [0.2, -0.1, -0.2]],
         ];
-        for (kind, corners) in
-            [(ElementKind::Hexahedron8, &HEXAHEDRON[..]), (ElementKind::Tetrahedron4, &TETRAHEDRON[..])]
-        {
+        let middle = |corners: &[[f64; 3]], [a, b]: [usize; 2]| {
+            [0, 1, 2].map(|i| 0.5 * (corners[a][i] + corners[b][i]))
+        };
+        let edges = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+        let quadratic = [&TETRAHEDRON[..], &edges.map(|edge| middle(&TETRAHEDRON, edge))].concat();
+        let edges =
+            [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
+        let serendipity = [&HEXAHEDRON[..], &edges.map(|edge| middle(&HEXAHEDRON, edge))].concat();
+        for (kind, corners) in [
+            (ElementKind::Hexahedron8, &HEXAHEDRON[..]),
+            (ElementKind::Hexahedron20, &serendipity),
+            (ElementKind::Tetrahedron4, &TETRAHEDRON[..]),
+            (ElementKind::Tetrahedron10, &quadratic),
+            (ElementKind::Wedge6, &WEDGE[..]),
+        ] {
             let points = quadrature(kind, corners).expect("a sound element");
             let volume: f64 = points.iter().map(|point| point.volume).sum();
             let matrices = element_matrices(kind, corners, &material).expect("a sound element");

@@ -90,3 +90,18 @@ pub(crate) fn hexahedron20(at: [f64; 3]) -> Vec<Shape> {
         })
         .collect()
 }
+
+/// Linear in a triangle of nodes 1 to 3 (ζ = -1) and 4 to 6 (ζ = 1), times linear in ζ.
+pub(crate) fn wedge6(at: [f64; 3]) -> Vec<Shape> {
+    const TRIANGLE: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
+    let area = [1.0 - at[0] - at[1], at[0], at[1]];
+    [-1.0, 1.0]
+        .into_iter()
+        .flat_map(|end| {
+            let height = 0.5 * (1.0 + end * at[2]);
+            area.into_iter()
+                .zip(TRIANGLE)
+                .map(move |(l, [x, y])| (l * height, [x * height, y * height, 0.5 * end * l]))
+        })
+        .collect()
+}

@@ -6,12 +6,6 @@ use crate::ElementKind;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ElementError {
-    /// This kind of element has no matrices here.
-    #[error("elements of kind {kind:?} have no matrices here")]
-    Unsupported {
-        /// The kind.
-        kind: ElementKind,
-    },
     /// A wrong number of nodes.
     #[error("an element of kind {kind:?} has {expected} nodes, found {found}")]
     NodeCount {

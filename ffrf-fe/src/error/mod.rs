@@ -5,13 +5,17 @@
 
 mod component_modes;
 mod elements;
+mod geometric_stiffness;
 mod modes;
 mod reduction;
+mod stress;
 
 pub use component_modes::ComponentModeError;
 pub use elements::ElementError;
+pub use geometric_stiffness::GeometricStiffnessError;
 pub use modes::ModeError;
 pub use reduction::ReductionError;
+pub use stress::StressError;
 
 /// What can go wrong between a finite-element export and a reduced body.
 #[derive(Debug, thiserror::Error)]
@@ -40,6 +44,12 @@ pub enum FeError {
         /// What is wrong.
         fault: Box<ffrf_model::ModelError>,
     },
+    /// The geometric stiffness cannot be computed.
+    #[error(transparent)]
+    GeometricStiffness(#[from] GeometricStiffnessError),
+    /// Stresses cannot be recovered.
+    #[error(transparent)]
+    Stress(#[from] StressError),
     /// An element is not usable.
     #[error(transparent)]
     Element(#[from] ElementError),

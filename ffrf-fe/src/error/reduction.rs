@@ -50,6 +50,12 @@ pub enum ReductionError {
         /// The number.
         value: f64,
     },
+    /// Bands of damping that do not cover all frequencies.
+    #[error("damping bands: expected ascending frequencies above 0, the last inf, found {found:?}")]
+    DampingBands {
+        /// Where the bands end.
+        found: String,
+    },
     /// A wrong number of damping ratios.
     #[error("damping ratios: expected one for all or one for each of {modes} modes, found {found}")]
     DampingCount {

@@ -186,6 +186,7 @@ fn read_matrices(
         stiffness: parts.stiffness,
         fixed_dofs: parts.fixed_dofs,
         elements: table.elements,
+        materials: table.materials,
         sources: hashed,
         notes: notes.iter().map(Note::for_provenance).collect(),
     };

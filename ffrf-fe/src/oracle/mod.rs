@@ -6,16 +6,19 @@
 //! - mass matrix Σ_nm M_s,nm J_nᵀ J_m,
 //! - gyroscopic forces Σ_nm M_s,nm J_nᵀ γ_m with γ_m = ω × (ω × X_m) + 2 ω × φ(m) q̇,
 //! - kinetic energy ½ Σ_nm M_s,nm V_n · V_m, momenta Σ_nm M_s,nm V_m and Σ_nm M_s,nm X_n × V_m,
-//! - elastic energy ½ uᵀ K u and elastic forces Ψᵀ K u with u = Ψ q.
+//! - elastic energy ½ uᵀ K u and elastic forces Ψᵀ K u with u = Ψ q,
+//! - for bodies with geometric stiffness, what displacements of second order add to these (`second_order`).
 //!
 //! No formula is shared with the reduction or with the generated kernels. Sums carry twice the digits of
 //! `f64`, so that a deviation is that of the other side.
 
 mod compensated;
 mod magnitudes;
+mod second_order;
 
 use faer::MatRef;
 
+use crate::geometric_stiffness::SecondOrder;
 use crate::modes::ModeError;
 use crate::{FeModel, ModeBasis, SparseMatrix};
 use compensated::{Sum, dot};
@@ -26,6 +29,8 @@ pub use magnitudes::{Scales, group_of};
 pub struct Oracle<'a> {
     model: &'a FeModel,
     shapes: MatRef<'a, f64>,
+    /// Displacements of second order, a column for each pair of modes μ <= ν.
+    second_order: Option<MatRef<'a, f64>>,
 }
 
 /// A state of the body, resolved in the body frame.
@@ -83,7 +88,27 @@ impl<'a> Oracle<'a> {
         if found != 3 * nodes {
             return Err(ModeError::ModeShapeRows { nodes, expected: 3 * nodes, found });
         }
-        Ok(Self { model, shapes: basis.shapes.as_ref() })
+        Ok(Self { model, shapes: basis.shapes.as_ref(), second_order: None })
+    }
+
+    /// The oracle with the displacements ½ q_μ q_ν g_μν of second order that stresses leave; see
+    /// [`second_order_displacements`](crate::geometric_stiffness::second_order_displacements).
+    ///
+    /// Errors: [`ModeError::MatrixSize`] for another shape.
+    pub fn with_second_order(mut self, fields: &'a SecondOrder) -> Result<Self, ModeError> {
+        let fields = fields.columns.as_ref();
+        let (expected, pairs) = (self.shapes.nrows(), self.mode_count() * (self.mode_count() + 1) / 2);
+        if fields.nrows() != expected || fields.ncols() != pairs {
+            let what = format!("displacements of second order ({pairs} columns)");
+            return Err(ModeError::MatrixSize {
+                what,
+                expected,
+                rows: fields.nrows(),
+                columns: fields.ncols(),
+            });
+        }
+        self.second_order = Some(fields);
+        Ok(self)
     }
 
     /// Number of modes M.
@@ -125,7 +150,7 @@ impl<'a> Oracle<'a> {
         let moments: Field = positions.iter().zip(&momenta).map(|(x, p)| cross(*x, *p)).collect();
 
         let scales = Scales::new(&mass_matrix, inner(&convective, &weighted_convective), kinetic_energy);
-        OracleValues {
+        let mut values = OracleValues {
             mass_matrix,
             quadratic_velocity,
             kinetic_energy,
@@ -133,7 +158,11 @@ impl<'a> Oracle<'a> {
             angular_momentum: total(&moments),
             elastic: self.model.stiffness.as_ref().map(|stiffness| self.elastic(stiffness, &displacement)),
             scales,
+        };
+        if self.second_order.is_some() {
+            self.add_second_order(state, &mut values);
         }
+        values
     }
 
     /// Largest displacement of a node for the modal coordinates `q`. Units: m.

@@ -9,5 +9,5 @@ mod reduce;
 mod stiffness;
 
 pub use crate::error::ReductionError;
-pub use options::{Damping, MarkerRequest, ReductionOptions};
+pub use options::{Damping, DampingBand, MarkerRequest, ReductionOptions};
 pub use reduce::{MODE_SHAPES, reduce};

@@ -12,7 +12,7 @@ use super::damping::modal_damping;
 use super::invariants::inertia_of;
 use super::marker::make_marker;
 use super::stiffness::modal_stiffness;
-use super::{ReductionError, ReductionOptions, mean_axis};
+use super::{Damping, ReductionError, ReductionOptions, mean_axis};
 
 /// Role of the file with the mode shapes of the user among the sources of a model.
 pub const MODE_SHAPES: &str = "mode shapes";
@@ -39,7 +39,13 @@ pub fn reduce(
     let mut inertia = inertia_of(model, shapes);
     mean_axis::clear(&mut inertia, &basis.modes);
     let stiffness = modal_stiffness(model, basis, options.modal_stiffness.as_ref())?;
-    let damping = modal_damping(&options.damping, modal_mass(&inertia).as_ref(), stiffness.as_ref())?;
+    let second = options.units.map_or(1.0, |units| units.time());
+    let mass = modal_mass(&inertia);
+    let damping = modal_damping(&options.damping, mass.as_ref(), stiffness.as_ref(), second)?;
+    let mut notes = model.notes.clone();
+    if options.damping != Damping::None {
+        notes.push(format!("damping: {}", options.damping));
+    }
     let markers = options
         .markers
         .iter()
@@ -53,13 +59,15 @@ pub fn reduce(
             tool: "ffrf".to_owned(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             sources: model.sources.clone(),
-            notes: model.notes.clone(),
+            notes,
         },
         modes: in_hertz(&basis.modes, options.units),
         inertia,
         stiffness: rows(&stiffness),
         damping: rows(&damping),
+        geometric_stiffness: None,
         markers,
+        stress_markers: Vec::new(),
     };
     match body.check()?.verdict() {
         Ok(()) => Ok(body),

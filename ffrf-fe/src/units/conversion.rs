@@ -3,7 +3,7 @@
 use faer::Mat;
 use ffrf_model::Units;
 
-use crate::FeModel;
+use crate::{Elasticity, FeModel};
 
 /// Factors from the units of the files to those wanted.
 ///
@@ -28,7 +28,7 @@ impl Conversion {
         }
     }
 
-    /// Converts positions, mass and stiffness.
+    /// Converts positions, mass, stiffness and materials.
     pub fn model(&self, model: &mut FeModel) {
         for coordinate in model.nodes.positions.iter_mut().flatten() {
             *coordinate *= self.length;
@@ -38,6 +38,15 @@ impl Conversion {
         if let Some(matrix) = &mut model.stiffness {
             matrix.val_mut().iter_mut().for_each(|value| *value *= stiffness);
         }
+        for elasticity in model.materials.iter_mut().filter_map(|material| material.elasticity.as_mut()) {
+            *elasticity = self.elasticity(*elasticity);
+        }
+    }
+
+    /// Converts elastic constants.
+    pub fn elasticity(&self, mut elasticity: Elasticity) -> Elasticity {
+        elasticity.youngs_modulus *= self.mass / (self.length * self.time * self.time);
+        elasticity
     }
 
     /// Converts mode shapes.

@@ -54,6 +54,7 @@ pub fn load(name: &str) -> Option<(Case, FeModel, Mat<f64>)> {
         stiffness: Some(matrix_market(&fe.join("K.mtx"))),
         fixed_dofs: Vec::new(),
         elements: Vec::new(),
+        materials: Vec::new(),
         sources: Vec::new(),
         notes: Vec::new(),
     };

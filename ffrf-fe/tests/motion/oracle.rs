@@ -45,6 +45,7 @@ fn model() -> (FeModel, ModeBasis) {
         stiffness: Some(matrix(3 * NODES, symmetric(3 * NODES))),
         fixed_dofs: vec![],
         elements: vec![],
+        materials: vec![],
         sources: vec![],
         notes: vec![],
     };

@@ -2,7 +2,9 @@
 
 use ffrf_codegen::fidelity::{EnergyTerm, Fidelity};
 use ffrf_model::ReducedBody;
-use ffrf_runtime::{FlexibleBody, GeneralisedForce, Marker, ModalMatrix, ModalVector, Observables, Prepared};
+use ffrf_runtime::{
+    FlexibleBody, GeneralisedForce, Marker, ModalMatrix, ModalVector, Observables, Prepared, StressMarker,
+};
 use nalgebra::{DMatrix, DVector, Matrix3, RealField, Vector3, convert};
 
 use super::HostModal;
@@ -22,15 +24,20 @@ pub struct HostBody<T: RealField + Copy = f64> {
     inertia: Symmetric<T>,
     /// Θ_μ + Θ_μᵀ. Shape: M.
     linear: Vec<Symmetric<T>>,
-    /// Θ_νμ + Θ_μν. Shape: M x M.
+    /// Θ_νμ + Θ_μν, less twice the even part of the geometric stiffness of linear loads. Shape: M x M.
     quadratic: Vec<Vec<Symmetric<T>>>,
     /// ϑ_μ. Shape: M.
     rotation: Vec<Vector3<T>>,
     /// ϑ_νμ. Shape: M x M.
     whirl: Vec<Vec<Vector3<T>>>,
+    /// -ϑ(Γ_μν) of linear loads. Shape: M x M, or none.
+    second_order_rotation: Vec<Vec<Vector3<T>>>,
+    /// -Γ_μν of uniform loads. Shape: M x M, or none.
+    second_order_translation: Vec<Vec<Vector3<T>>>,
     modal_mass: ModalMatrix<HostModal<T>, T>,
     stiffness: ModalMatrix<HostModal<T>, T>,
     damping: ModalMatrix<HostModal<T>, T>,
+    is_stiffened: bool,
     largest_stable_step: Option<T>,
 }
 
@@ -53,6 +60,15 @@ impl HostBody {
         let modal_rotation = keeps(EnergyTerm::ModalRotation);
         let deformed_rotation = keeps(EnergyTerm::ModalRotationDeformed);
         let pairs = &inertia.mode_mode_moment;
+        let geometric = body.geometric_stiffness.as_ref();
+        let centrifugal = geometric.filter(|_| keeps(EnergyTerm::CentrifugalStiffening));
+        let stiffened = |mu: usize, nu: usize| {
+            let stiffness = centrifugal.map_or([0.0; 6], |it| twice_inertia(&it.linear_load[nu][mu]));
+            let inertia = when(quadratic, twice_inertia(&pairs[nu][mu]));
+            core::array::from_fn(|k| inertia[k] - stiffness[k])
+        };
+        let angular = geometric.filter(|_| keeps(EnergyTerm::AngularAccelerationStiffening));
+        let linear_acceleration = geometric.filter(|_| keeps(EnergyTerm::LinearAccelerationStiffening));
         let trace = |mu: usize, nu: usize| (0..3).map(|i| pairs[mu][nu][i][i]).sum::<f64>();
         Self {
             mass: inertia.mass,
@@ -64,10 +80,7 @@ impl HostBody {
                 .iter()
                 .map(|moment| when(linear, twice_inertia(moment)))
                 .collect(),
-            quadratic: pairs
-                .iter()
-                .map(|row| row.iter().map(|moment| when(quadratic, twice_inertia(moment))).collect())
-                .collect(),
+            quadratic: (0..modes).map(|nu| (0..modes).map(|mu| stiffened(mu, nu)).collect()).collect(),
             rotation: inertia
                 .position_mode_moment
                 .iter()
@@ -77,9 +90,17 @@ impl HostBody {
                 .iter()
                 .map(|row| row.iter().map(|moment| vector_when(deformed_rotation, axial(moment))).collect())
                 .collect(),
+            second_order_rotation: angular.map_or(Vec::new(), |it| {
+                it.linear_load.iter().map(|row| row.iter().map(|moment| -axial(moment)).collect()).collect()
+            }),
+            second_order_translation: linear_acceleration.map_or(Vec::new(), |it| {
+                let negative = |load: &[f64; 3]| -Vector3::from(*load);
+                it.uniform_load.iter().map(|row| row.iter().map(negative).collect()).collect()
+            }),
             modal_mass: matrix(modes, |mu, nu| 0.5 * (trace(mu, nu) + trace(nu, mu))),
             stiffness: matrix(modes, |mu, nu| body.stiffness[mu][nu]),
             damping: matrix(modes, |mu, nu| body.damping[mu][nu]),
+            is_stiffened: centrifugal.is_some() || angular.is_some() || linear_acceleration.is_some(),
             largest_stable_step: body.largest_stable_step().filter(|step| step.is_finite()),
         }
     }
@@ -105,14 +126,18 @@ impl HostBody {
             quadratic: Vec::new(),
             rotation: Vec::new(),
             whirl: Vec::new(),
+            second_order_rotation: Vec::new(),
+            second_order_translation: Vec::new(),
             modal_mass: nothing(),
             stiffness: nothing(),
             damping: nothing(),
+            is_stiffened: false,
             largest_stable_step: None,
         }
     }
 
-    /// S(ω): what centrifugal forces at spin ω take from the stiffness of the modes. Shape: M x M. `omega`: body frame.
+    /// S(ω): what centrifugal forces at spin ω take from the stiffness of the modes, less what the stress that they leave adds
+    /// to it in a body with geometric stiffness. Shape: M x M. `omega`: body frame.
     ///
     /// Source: (209), derivative of the modal part to q.
     pub fn centrifugal_softening(&self, omega: &Vector3<f64>) -> DMatrix<f64> {
@@ -161,6 +186,22 @@ impl HostBody {
     }
 }
 
+impl HostBody {
+    /// The stress markers of a model, in its order.
+    pub fn stress_markers(body: &ReducedBody) -> Vec<StressMarker<HostModal, f64>> {
+        let row = |list: &[[f64; 6]], component: usize| {
+            HostModal(DVector::from_iterator(list.len(), list.iter().map(|entry| entry[component])))
+        };
+        body.stress_markers
+            .iter()
+            .map(|marker| StressMarker {
+                position: marker.position.into(),
+                stress: core::array::from_fn(|component| row(&marker.stress, component)),
+            })
+            .collect()
+    }
+}
+
 impl<T: RealField + Copy> HostBody<T> {
     /// Number of modes.
     pub fn mode_count(&self) -> usize {
@@ -173,6 +214,9 @@ impl HostBody {
     pub fn cast<T: RealField + Copy>(&self) -> HostBody<T> {
         let tensor = |tensor: &Symmetric| tensor.map(convert);
         let vector = |vector: &Vector3<f64>| vector.map(convert);
+        let pairs = |pairs: &[Vec<Vector3<f64>>]| -> Vec<Vec<Vector3<T>>> {
+            pairs.iter().map(|row| row.iter().map(vector).collect()).collect()
+        };
         HostBody {
             mass: convert(self.mass),
             first_moment: vector(&self.first_moment),
@@ -182,9 +226,12 @@ impl HostBody {
             quadratic: self.quadratic.iter().map(|row| row.iter().map(tensor).collect()).collect(),
             rotation: self.rotation.iter().map(vector).collect(),
             whirl: self.whirl.iter().map(|row| row.iter().map(vector).collect()).collect(),
+            second_order_rotation: pairs(&self.second_order_rotation),
+            second_order_translation: pairs(&self.second_order_translation),
             modal_mass: cast_matrix(&self.modal_mass),
             stiffness: cast_matrix(&self.stiffness),
             damping: cast_matrix(&self.damping),
+            is_stiffened: self.is_stiffened,
             largest_stable_step: self.largest_stable_step.map(convert),
         }
     }
@@ -222,6 +269,7 @@ impl<T: RealField + Copy> FlexibleBody<T> for HostBody<T> {
         let mut inertia_rate = [T::zero(); 6];
         let mut coupling = [q.zeros_alike(), q.zeros_alike(), q.zeros_alike()];
         let mut modal_force = q.zeros_alike();
+        let mut shortening = Vector3::zeros();
         for (mu, (linear, rotation)) in self.linear.iter().zip(&self.rotation).enumerate() {
             // Θ_μ + Θ_μᵀ + q_ν (Θ_νμ + Θ_μν), ϑ_μ + q_ν ϑ_νμ and q̇_ν ϑ_νμ
             let (mut even, mut odd, mut whirl) = (*linear, *rotation, Vector3::zeros());
@@ -231,6 +279,10 @@ impl<T: RealField + Copy> FlexibleBody<T> for HostBody<T> {
                 }
                 odd += self.whirl[nu][mu] * coordinates[nu];
                 whirl += self.whirl[nu][mu] * rates[nu];
+            }
+            if let Some(row) = self.second_order_rotation.get(mu) {
+                odd += combination(row, coordinates);
+                shortening += combination(row, rates) * rates[mu];
             }
             for k in 0..6 {
                 inertia[k] += half * coordinates[mu] * (linear[k] + even[k]);
@@ -246,8 +298,18 @@ impl<T: RealField + Copy> FlexibleBody<T> for HostBody<T> {
         let rows_times = |rows: &[HostModal<T>; 3], modal: &HostModal<T>| {
             Vector3::new(rows[0].dot(modal), rows[1].dot(modal), rows[2].dot(modal))
         };
-        let first_moment = self.first_moment + rows_times(&self.modal_first_moment, q);
-        let momentum = rows_times(&self.modal_first_moment, q_dot);
+        let mut modal_first_moment = self.modal_first_moment.clone();
+        let mut first_moment = self.first_moment + rows_times(&self.modal_first_moment, q);
+        let mut contraction = Vector3::zeros();
+        for (mu, row) in self.second_order_translation.iter().enumerate() {
+            let change = combination(row, coordinates);
+            for axis in 0..3 {
+                modal_first_moment[axis].as_mut_slice()[mu] += change[axis];
+            }
+            first_moment += change * (half * coordinates[mu]);
+            contraction += combination(row, rates) * rates[mu];
+        }
+        let momentum = rows_times(&modal_first_moment, q_dot);
         let angular = inertia * omega + rows_times(&coupling, q_dot);
         let mut internal_force = self.stiffness.product(q);
         internal_force.add_scaled(T::one(), &self.damping.product(q_dot));
@@ -255,15 +317,19 @@ impl<T: RealField + Copy> FlexibleBody<T> for HostBody<T> {
             mass: self.mass,
             first_moment,
             inertia,
-            modal_first_moment: self.modal_first_moment.clone(),
+            modal_first_moment,
             rotation_modal_coupling: coupling,
             quadratic_velocity: GeneralisedForce {
-                force: omega.cross(&(omega.cross(&first_moment) + momentum * two)),
-                moment: omega.cross(&angular) + full(&inertia_rate) * omega,
+                force: omega.cross(&(omega.cross(&first_moment) + momentum * two)) + contraction,
+                moment: omega.cross(&angular) + full(&inertia_rate) * omega + shortening,
                 modal: modal_force,
             },
             internal_force,
         }
+    }
+
+    fn is_stiffened(&self) -> bool {
+        self.is_stiffened
     }
 
     fn largest_stable_step(&self) -> Option<T> {
@@ -284,6 +350,11 @@ fn twice_inertia(moment: &[[f64; 3]; 3]) -> Symmetric {
 /// ε_ijk T^{ij} e_k. Source: (208).
 fn axial(moment: &[[f64; 3]; 3]) -> Vector3<f64> {
     Vector3::new(moment[1][2] - moment[2][1], moment[2][0] - moment[0][2], moment[0][1] - moment[1][0])
+}
+
+/// Σ_ν vector_ν c_ν
+fn combination<T: RealField + Copy>(vectors: &[Vector3<T>], coefficients: &[T]) -> Vector3<T> {
+    vectors.iter().zip(coefficients).fold(Vector3::zeros(), |sum, (vector, c)| sum + *vector * *c)
 }
 
 fn full<T: RealField + Copy>([xx, yy, zz, xy, xz, yz]: &Symmetric<T>) -> Matrix3<T> {

@@ -96,6 +96,7 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
             stiffness: self.matrix(&tables.stiffness),
             damping: self.matrix(&tables.damping),
             moments,
+            second_order_odd: tables.second_order_odd.as_ref().map(|table| self.pairs(table)),
         }
     }
 
@@ -106,6 +107,21 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
         let mut rows = Box::new([[[self.zero; 4]; K]; G]);
         self.fill(rows.as_flattened_mut().as_flattened_mut(), table.entries());
         Box::leak(rows)
+    }
+
+    fn pairs<V: Copy, const M: usize, const G: usize>(
+        &self,
+        table: &Table<V>,
+    ) -> &'static [[[[C; 4]; 3]; M]; G]
+    where
+        F: Fn(V) -> C,
+    {
+        let mut groups = Box::new([[[[self.zero; 4]; 3]; M]; G]);
+        // The columns of a group end with the last mode, not with the padding.
+        for (group, entries) in groups.iter_mut().zip(table.entries().chunks(12 * table.shape()[1])) {
+            self.fill(group.as_flattened_mut().as_flattened_mut(), entries);
+        }
+        Box::leak(groups)
     }
 
     fn matrix<V: Copy, const M: usize, const G: usize>(

@@ -62,6 +62,10 @@ fn flexible(name: &str, key: &str, table: &BodyTable, path: &Path) -> Result<Nam
         body: HostBody::new(&model, &fidelity),
         marker_names: model.markers.iter().map(|marker| marker.name.clone()).collect(),
         markers: HostBody::markers(&model),
+        stress_markers: {
+            let names = model.stress_markers.iter().map(|marker| marker.name.clone());
+            names.zip(HostBody::stress_markers(&model)).collect()
+        },
     })
 }
 
@@ -117,6 +121,7 @@ fn rigid(name: &str, key: &str, table: &BodyTable, mass: f64) -> Result<NamedBod
         name: name.to_owned(),
         marker_names: table.markers.keys().cloned().collect(),
         markers,
+        stress_markers: Vec::new(),
         body,
     })
 }

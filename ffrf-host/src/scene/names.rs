@@ -1,7 +1,7 @@
 //! Names of bodies and markers, and where they stand.
 
 use ffrf_runtime::mechanism::Attachment;
-use ffrf_runtime::{FlexibleBody, Marker};
+use ffrf_runtime::{FlexibleBody, Marker, StressMarker};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::SceneError;
@@ -16,6 +16,8 @@ pub(super) struct NamedBody {
     pub(super) marker_names: Vec<String>,
     /// The named ones first, then those that joints and sensors ask for.
     pub(super) markers: Vec<Marker<HostModal, f64>>,
+    /// Stress markers of the model, by name.
+    pub(super) stress_markers: Vec<(String, StressMarker<HostModal, f64>)>,
 }
 
 impl NamedBody {
@@ -89,6 +91,32 @@ pub(super) fn attachment(
         }
     };
     Ok(Attachment { body: Some(index), marker, position: Vector3::zeros(), orientation })
+}
+
+/// The stress marker called `name`, BODY.MARKER, and the number of its body.
+pub(super) fn stress_marker(
+    bodies: &[NamedBody],
+    key: &str,
+    name: &str,
+) -> Result<(usize, StressMarker<HostModal, f64>), SceneError> {
+    let all = || {
+        bodies.iter().enumerate().flat_map(|(index, body)| {
+            let markers = body.stress_markers.iter();
+            markers.map(move |(marker, stress)| (index, format!("{}.{marker}", body.name), stress))
+        })
+    };
+    match all().find(|(_, known, _)| known == name) {
+        Some((index, _, marker)) => Ok((index, marker.clone())),
+        None => {
+            let known: Vec<String> = all().map(|(_, known, _)| known).collect();
+            Err(SceneError::Unknown {
+                key: key.to_owned(),
+                kind: "stress marker",
+                found: name.escape_debug().to_string(),
+                known: if known.is_empty() { "none".to_owned() } else { known.join(", ") },
+            })
+        }
+    }
 }
 
 /// Errors: both ends are on one body, or on the ground.

@@ -1,10 +1,12 @@
 //! What a scene measures.
 
+use ffrf_runtime::StressMarker;
 use ffrf_runtime::mechanism::Attachment;
 
 use super::SceneError;
 use super::file::SensorTable;
-use super::names::{NamedBody, attachment};
+use super::names::{NamedBody, attachment, stress_marker};
+use crate::HostModal;
 
 /// A sensor of a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +34,13 @@ pub enum SensorKind {
     ReactionForce(Vec<usize>),
     /// Moment of a joint on its second body about the attachment there. Units: N m. Frame: inertial.
     ReactionMoment(Vec<usize>),
+    /// Stress of a body at a stress marker, and von Mises' equivalent. Units: N/m². Frame: body.
+    Stress {
+        /// Number of the body.
+        body: usize,
+        /// The marker.
+        marker: Box<StressMarker<HostModal, f64>>,
+    },
 }
 
 impl SensorKind {
@@ -40,12 +49,14 @@ impl SensorKind {
         match self {
             Self::Angle(_) => &[""],
             Self::Orientation(_) => &[".w", ".x", ".y", ".z"],
+            Self::Stress { .. } => &[".xx", ".yy", ".zz", ".xy", ".xz", ".yz", ".von_mises"],
             _ => &[".x", ".y", ".z"],
         }
     }
 }
 
-const KINDS: &str = "position, velocity, acceleration, orientation, angle, reaction_force, reaction_moment";
+const KINDS: &str =
+    "position, velocity, acceleration, orientation, angle, reaction_force, reaction_moment, stress";
 
 /// The sensor of a table. `joints`: names and connections of each joint, its drive included.
 pub(super) fn sensor(
@@ -56,6 +67,11 @@ pub(super) fn sensor(
 ) -> Result<Sensor, SceneError> {
     let key = format!("sensors.{name}");
     let of = format!("{key}.of");
+    if table.kind == "stress" {
+        let (body, marker) = stress_marker(bodies, &of, &table.of)?;
+        let kind = SensorKind::Stress { body, marker: Box::new(marker) };
+        return Ok(Sensor { name: name.to_owned(), kind });
+    }
     let mut at = || attachment(bodies, &of, &table.of, None);
     let joint = || {
         let found =

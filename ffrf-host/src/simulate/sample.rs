@@ -2,8 +2,8 @@
 
 use ffrf_runtime::forces::relative_angle;
 use ffrf_runtime::mechanism::{Assembly, Constrained, Storage, acceleration, reaction as reaction_of_one};
-use ffrf_runtime::{Observables, State, StepError, rotation};
-use nalgebra::{RealField, Vector3};
+use ffrf_runtime::{Observables, State, StepError, rotation, von_mises};
+use nalgebra::{RealField, Vector3, convert};
 
 use crate::HostModal;
 use crate::mechanism::{HostMechanism, HostPorts};
@@ -103,6 +103,15 @@ pub(crate) fn read<T: RealField + Copy>(
         }
         SensorKind::ReactionMoment(joints) => {
             values.extend_from_slice(reaction(mechanism, storage, joints).1.as_slice());
+        }
+        SensorKind::Stress { body, marker } => {
+            let coordinates = ports.0[*body].state.modal_coordinates.0.as_slice();
+            let stress = marker.stress.each_ref().map(|row| {
+                let terms = row.0.iter().zip(coordinates);
+                terms.fold(T::zero(), |sum, (entry, q)| sum + convert::<f64, T>(*entry) * *q)
+            });
+            values.extend_from_slice(&stress);
+            values.push(von_mises(&stress));
         }
     }
 }

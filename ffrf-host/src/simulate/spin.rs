@@ -1,7 +1,7 @@
 //! Bodies that turn faster than their own stiffness allows.
 //!
-//! Without geometric stiffening, centrifugal forces soften what they bend outwards: K - S(ω), where S is the part of the
-//! modes' kinetic energy that turns with them. Where that is no longer positive, small deformations grow without bound, in
+//! Centrifugal forces soften what they bend outwards: K - S(ω), where S is the part of the modes' kinetic energy that turns
+//! with them, less the geometric stiffness of the stress that they leave, in a body that has it. Where that is no longer positive, small deformations grow without bound, in
 //! the equations but not in the part: the formulation has left its validity. A beam that turns about an axis across it gets
 //! there at its first bending frequency.
 
@@ -24,6 +24,8 @@ pub struct SpinWarning {
     pub speed: f64,
     /// The speed about the same axis at which the softened stiffness becomes singular. Units: rad/s.
     pub critical: f64,
+    /// Whether the body has geometric stiffness.
+    pub is_stiffened: bool,
 }
 
 impl fmt::Display for SpinWarning {
@@ -31,8 +33,12 @@ impl fmt::Display for SpinWarning {
         write!(
             formatter,
             "body `{}` turns at {:.4} rad/s at t = {:.4} s, faster than the {:.4} rad/s at which centrifugal forces exceed the \
-             stiffness of its modes: without geometric stiffening its deformation from there on means nothing",
-            self.body, self.speed, self.time, self.critical
+             stiffness of its modes: {}its deformation from there on means nothing",
+            self.body,
+            self.speed,
+            self.time,
+            self.critical,
+            if self.is_stiffened { "" } else { "without geometric stiffening " }
         )
     }
 }
@@ -57,8 +63,8 @@ impl SpinWatch {
         for ((screen, state), (body, name)) in self.screens.iter_mut().zip(states).zip(bodies) {
             let omega = &state.angular_velocity;
             let Some(lowest) = *screen else { continue };
-            // S(ω) is at most |ω|² Θ_ff
-            if omega.norm_squared() <= lowest {
+            // S(ω) is at most |ω|² Θ_ff; pressure can take more
+            if omega.norm_squared() <= lowest && !body.is_stiffened() {
                 continue;
             }
             let Some(critical) = critical_speed(body, omega).filter(|critical| omega.norm() > *critical)
@@ -66,7 +72,8 @@ impl SpinWatch {
                 continue;
             };
             *screen = None;
-            self.warnings.push(SpinWarning { body: name.clone(), time, speed: omega.norm(), critical });
+            let (body, speed, is_stiffened) = (name.clone(), omega.norm(), body.is_stiffened());
+            self.warnings.push(SpinWarning { body, time, speed, critical, is_stiffened });
         }
     }
 }

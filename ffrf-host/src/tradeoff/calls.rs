@@ -39,7 +39,10 @@ pub(super) fn calls(
     section(&mut text, "joints", file.joints.iter().map(|(name, table)| joint(name, table)).collect());
     section(&mut text, "drives", file.joints.iter().filter_map(|(name, table)| drive(name, table)).collect());
     section(&mut text, "forces", file.forces.iter().map(|(name, table)| force(name, table)).collect());
-    let sensors = file.sensors.iter().map(|(name, table)| format!("{name}: {}({}),", table.kind, table.of));
+    let sensors = file.sensors.iter().map(|(name, table)| match table.kind.as_str() {
+        "stress" => format!("// {name}: at the stress marker {}, a constant of its body", table.of),
+        kind => format!("{name}: {kind}({}),", table.of),
+    });
     section(&mut text, "sensors", sensors.collect());
     if configuration.scalar == ScalarType::F32 {
         text.push_str("        scalar: f32,\n");

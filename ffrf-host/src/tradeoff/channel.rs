@@ -112,6 +112,7 @@ impl Channel {
             SensorKind::Angle(_) => "rad",
             SensorKind::ReactionForce(_) => "N",
             SensorKind::ReactionMoment(_) => "N m",
+            SensorKind::Stress { .. } => "N/m²",
         };
         Self { name: sensor.name.clone(), unit, source: Source::Sensor(sensor.kind.clone()) }
     }

@@ -94,6 +94,8 @@ fn rod() -> ReducedBody {
             vec![0.0, 0.0, -8.0 / 3.0 * stiffness, 7.0 / 3.0 * stiffness],
         ],
         damping: vec![vec![0.0; 4]; 4],
+        geometric_stiffness: None,
+        stress_markers: Vec::new(),
         markers: vec![marker("ROOT", 0.0, still), marker("TIP", ROD, tip)],
     }
 }

@@ -3,6 +3,7 @@
 mod check;
 mod derived;
 mod file;
+mod optional_parts;
 mod output;
 mod sample;
 mod stable_step;

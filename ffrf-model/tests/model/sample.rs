@@ -76,6 +76,8 @@ pub fn body(modes: usize) -> ReducedBody {
         inertia: inertia(&points),
         stiffness: square(1e4, 17.0),
         damping: square(0.1, 0.0),
+        geometric_stiffness: None,
+        stress_markers: Vec::new(),
         markers: vec![Marker {
             name: "tip".to_owned(),
             nodes: vec![11],

@@ -59,6 +59,12 @@ pub trait FlexibleBody<T: RealField + Copy = f64> {
         self.prepare(q, &Vector3::zeros(), &self.undeformed()).gravity_force(gravity)
     }
 
+    /// Whether the stress of accelerations changes the stiffness: m B then follows the deformation, and Θ_rf in a way that the
+    /// quadratic velocity vector does not show. Asked by the energy-momentum method.
+    fn is_stiffened(&self) -> bool {
+        false
+    }
+
     /// The largest step of the classical Runge-Kutta method that keeps the body's vibration bounded. Units: s.
     ///
     /// From the highest frequency of the free body; `None` if it is not known, or if nothing vibrates.
@@ -107,6 +113,10 @@ impl<B: FlexibleBody<T>, T: RealField + Copy> FlexibleBody<T> for &B {
 
     fn gravity_force(&self, q: &Self::Modal, gravity: &Vector3<T>) -> GeneralisedForce<Self::Modal, T> {
         (**self).gravity_force(q, gravity)
+    }
+
+    fn is_stiffened(&self) -> bool {
+        (**self).is_stiffened()
     }
 
     fn largest_stable_step(&self) -> Option<T> {

@@ -25,6 +25,7 @@ mod rigid_body;
 mod span;
 mod span_marker;
 mod state;
+mod stress_marker;
 
 pub use dense_forms::{DenseForms, EquationsOfMotion};
 pub use envelope::Envelope;
@@ -51,3 +52,4 @@ pub use rigid_body::RigidBody;
 pub(crate) use span::Span;
 pub(crate) use span_marker::SpanMarker;
 pub use state::State;
+pub use stress_marker::{StressMarker, von_mises};

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, Marker};
+use super::{FlexibleBody, Marker, StressMarker};
 
 /// The markers of a body by their names in the model. Generated bodies have each as a constant as well.
 pub trait NamedMarkers<T: RealField + Copy = f64>: FlexibleBody<T> {
@@ -10,4 +10,13 @@ pub trait NamedMarkers<T: RealField + Copy = f64>: FlexibleBody<T> {
     fn marker_names(&self) -> &'static [&'static str];
     /// The marker called `name`, or `None`. A search by name: look markers up before the simulation starts.
     fn marker(&self, name: &str) -> Option<Marker<Self::Modal, T>>;
+    /// The names of the stress markers, in the order of the model.
+    fn stress_marker_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// The stress marker called `name`, or `None`.
+    fn stress_marker(&self, name: &str) -> Option<StressMarker<Self::Modal, T>> {
+        let _ = name;
+        None
+    }
 }

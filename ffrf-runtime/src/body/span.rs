@@ -181,7 +181,40 @@ impl<V: ModalVector<T>, T: RealField + Copy> Span<V, T> {
         for (row, component) in rows.iter().zip(turning.iter()) {
             force.add_scaled(-*component, row);
         }
+        if body.is_stiffened() {
+            self.add_stiffening_force(body, &mut force);
+        }
         force
+    }
+
+    /// What geometric stiffness adds to [`Self::shape_force`]: with Θ_rf = ... + H q and m B = ... + C q, both symmetric in the
+    /// modes, ω · H q̇ + u · C q̇. The quadratic velocity vector, which takes the halves of Lagrange's derivative together, has
+    /// neither: Θ_rf(q + q̇) - Θ_rf(q) = [ϑ_νμ q̇_ν] + H q̇, and 2 ω · ϑ_νμ q̇_ν is in Q.
+    fn add_stiffening_force<B>(&self, body: &B, force: &mut V)
+    where
+        B: FlexibleBody<T, Modal = V>,
+    {
+        let q = &self.middle.modal_coordinates;
+        let (first, last) = (velocities(&self.begin), velocities(&self.end));
+        let none = body.undeformed();
+        let half: T = nalgebra::convert(0.5);
+        let here = body.prepare(q, &Vector3::zeros(), &none);
+        for (one, other) in [(&first, &last), (&last, &first)] {
+            let mut moved = q.clone();
+            moved.add_scaled(T::one(), &other.modal);
+            let there = body.prepare(&moved, &Vector3::zeros(), &none);
+            for axis in 0..3 {
+                for (sign, prepared) in [(half, &there), (-half, &here)] {
+                    let (turn, shift) = (one.angular[axis] * sign, one.linear[axis] * sign);
+                    force.add_scaled(turn, &prepared.rotation_modal_coupling[axis]);
+                    force.add_scaled(shift, &prepared.modal_first_moment[axis]);
+                }
+            }
+            let quarter = half * half;
+            for (sign, rates) in [(-quarter, &other.modal), (quarter, &none)] {
+                force.add_scaled(sign, &body.prepare(q, &one.angular, rates).quadratic_velocity.modal);
+            }
+        }
     }
 }
 

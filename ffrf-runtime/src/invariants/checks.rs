@@ -162,6 +162,28 @@ pub fn modal_matrix<const M: usize, S: Square<M>>(
     mirrored(field, HERE, matrix, 1.0, largest(matrix))
 }
 
+/// Γ_νμ = Γ_μν, for vectors (a diagonal stands for one) and for matrices.
+pub fn load_stiffness<const M: usize, S: Square<3>>(
+    field: &'static str,
+    stiffness: &[[S; M]; M],
+) -> Result<(), InvariantError> {
+    let pairs = stiffness.as_flattened().iter();
+    let size = pairs.fold(0.0, |most: f64, block| if largest(block) > most { largest(block) } else { most });
+    let within = limit(AGREEMENT, S::EPSILON) * size;
+    for mu in 0..M {
+        for nu in mu..M {
+            let (read, other) = (&stiffness[mu][nu], &stiffness[nu][mu]);
+            for i in 0..3 {
+                for j in 0..3 {
+                    let index = other.place(HERE.then(nu).then(mu), i, j);
+                    agree(field, index, other.at(i, j), read.at(i, j), within, "Γ_νμ = Γ_μν")?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
 /// The mass matrix at q = 0 is positive definite: first moments fit mass and inertia, and no mode is rigid motion or
 /// follows from the modes before it. Row and column of the first that does not: translation 3, rotation 3, modes.
 pub fn mass_matrix<const N: usize, T>(matrix: &SMatrix<T, N, N>) -> Result<(), InvariantError>

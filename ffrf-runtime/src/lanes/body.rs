@@ -48,6 +48,8 @@ pub struct LaneBody<'a, C, const M: usize, const G: usize, P> {
     pub stiffness: ModalMatrix<'a, C, M, G>,
     /// D_ff in the same way.
     pub damping: ModalMatrix<'a, C, M, G>,
-    /// Moments T_μν.
+    /// Moments T_μν, less the even part of the geometric stiffness Γ_μν.
     pub moments: P,
+    /// -ϑ(Γ_μν): geometric stiffness of angular acceleration, `[group][nu][axis][lane]`, lanes over μ.
+    pub second_order_odd: Option<&'a [[[[C; 4]; 3]; M]; G]>,
 }

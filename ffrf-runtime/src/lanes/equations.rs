@@ -103,6 +103,7 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             state.first_moment = moment.map(T::constant);
         }
         self.moments.multiply(q, q_dot, omega.map(|x| T::two() * x), &mut state.modal);
+        let shortening = self.second_order(q, q_dot, &mut state.modal.odd);
         let (q, q_dot) = (groups::<T, M, G>(q), groups::<T, M, G>(q_dot));
         let coordinates = stored::<T, G>(&q);
         let weights = spin_weights(omega).map(Register::<T>::splat);
@@ -161,6 +162,9 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
         state.spin = [s0, s1, s2];
         state.inertia = add(self.inertia.map(T::constant), traced([c0, c1, c2, c3, c4, c5], T::half()));
         state.rotation = rotation(omega, state, [r0, r1, r2, r3, r4, r5]);
+        if self.second_order_odd.is_some() {
+            state.rotation = add(state.rotation, shortening);
+        }
         if self.modal_first_moment.is_some() {
             let [a, b, c] = shift;
             let [d, e, f] = momentum;
@@ -175,6 +179,33 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
             }
             state.translation = cross(omega, carried);
         }
+    }
+
+    /// Adds -ϑ(Γ_νμ) q_ν to Θ_rf, and returns -ϑ(Γ_μν) q̇_μ q̇_ν.
+    #[inline(always)]
+    fn second_order<T: Scalar<Constant = C>>(
+        &self,
+        q: &[T; M],
+        q_dot: &[T; M],
+        coupling: &mut [[[T; 4]; G]; 3],
+    ) -> [T; 3] {
+        let Some(moments) = self.second_order_odd else { return [T::zero(); 3] };
+        let rates = groups::<T, M, G>(q_dot);
+        let mut shortening = [Register::<T>::zero(); 3];
+        for g in 0..G {
+            for axis in 0..3 {
+                let mut turned = Register::<T>::load(&coupling[axis][g]);
+                let mut rate = Register::<T>::zero();
+                for ((moment, q), q_dot) in moments[g].iter().zip(q).zip(q_dot) {
+                    let moment = four::<T>(&moment[axis]);
+                    turned = moment.multiply_add(Register::<T>::splat(*q), turned);
+                    rate = moment.multiply_add(Register::<T>::splat(*q_dot), rate);
+                }
+                coupling[axis][g] = turned.store();
+                shortening[axis] = accumulate::<T, G>(g, rate, rates[g], shortening[axis]);
+            }
+        }
+        sums::<T, 3>(shortening)
     }
 }
 

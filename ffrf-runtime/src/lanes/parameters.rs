@@ -189,6 +189,7 @@ impl<C: Copy, const M: usize, const G: usize> ParameterTables<C, M, G> {
             stiffness: self.stiffness.borrow(),
             damping: self.damping.borrow(),
             moments,
+            second_order_odd: None,
         }
     }
 }

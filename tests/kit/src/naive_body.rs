@@ -4,6 +4,7 @@
 //! factorisation of the whole mass matrix. Use it to check generated bodies and as the plain column in
 //! benchmarks. It holds no tricks on purpose: a doubt about a kernel is settled by reading this file.
 
+use ffrf_model::GeometricStiffness;
 use ffrf_runtime::nalgebra::{Cholesky, Matrix3, RealField, SMatrix, SVector, Vector3, convert};
 use ffrf_runtime::{
     DenseForms, EquationsOfMotion, FlexibleBody, GeneralisedForce, ModalMatrix, Motion, Observables, Prepared,
@@ -51,6 +52,11 @@ pub struct NaiveBody<const M: usize, const N: usize, T: RealField = f64> {
     modal_mass: SMatrix<T, M, M>,
     stiffness: SMatrix<T, M, M>,
     damping: SMatrix<T, M, M>,
+    /// Geometric stiffness Γ_μν of uniform loads.
+    uniform_load: [[Vector3<T>; M]; M],
+    /// Geometric stiffness Γ_μν of linear loads.
+    linear_load: [[Matrix3<T>; M]; M],
+    is_stiffened: bool,
 }
 
 impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
@@ -71,21 +77,62 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
             modal_mass: SMatrix::from_fn(|mu, nu| pairs[mu][nu].trace()),
             stiffness: SMatrix::from_fn(|mu, nu| invariants.stiffness[mu][nu]),
             damping: SMatrix::from_fn(|mu, nu| invariants.damping[mu][nu]),
+            uniform_load: [[Vector3::zeros(); M]; M],
+            linear_load: [[Matrix3::zeros(); M]; M],
+            is_stiffened: false,
         }
     }
 
-    /// r(q) = a + q_μ b_μ. Source: (204), sign corrected.
-    fn centre(&self, q: &SVector<T, M>) -> Vector3<T> {
-        self.centre_of_mass + self.modal_centre_of_mass * q
+    /// The body with the geometric stiffness of a model, if that has any.
+    pub fn stiffened(mut self, geometric: Option<&GeometricStiffness>) -> Self {
+        if let Some(geometric) = geometric {
+            self.is_stiffened = true;
+            for mu in 0..M {
+                for nu in 0..M {
+                    self.uniform_load[mu][nu] = Vector3::from(geometric.uniform_load[mu][nu]).map(convert);
+                    self.linear_load[mu][nu] = matrix3(&geometric.linear_load[mu][nu]).map(convert);
+                }
+            }
+        }
+        self
+    }
+
+    /// m r(q) = m a + m q_μ b_μ - ½ q_μ q_ν Γ_μν. Source: (204), sign corrected.
+    fn first_moment(&self, q: &SVector<T, M>) -> Vector3<T> {
+        let half: T = convert(0.5);
+        let mut sum = (self.centre_of_mass + self.modal_centre_of_mass * q) * self.mass;
+        for mu in 0..M {
+            for nu in 0..M {
+                sum -= self.uniform_load[mu][nu] * (half * q[mu] * q[nu]);
+            }
+        }
+        sum
+    }
+
+    /// m B - [Γ_μν q_ν]_μ.
+    fn modal_first_moment(&self, q: &SVector<T, M>) -> SMatrix<T, 3, M> {
+        let mut moments = self.modal_centre_of_mass * self.mass;
+        for mu in 0..M {
+            let mut column = moments.column(mu).into_owned();
+            for nu in 0..M {
+                column -= self.uniform_load[mu][nu] * q[nu];
+            }
+            moments.set_column(mu, &column);
+        }
+        moments
     }
 
     /// Θ_rr(q) = Θ + q_μ (Θ_μ + Θ_μᵀ) + q_μ q_ν Θ_μν. Source: (204), symmetrised.
     fn deformed_inertia(&self, q: &SVector<T, M>) -> Matrix3<T> {
+        let half: T = convert(0.5);
         let mut sum = self.inertia;
         for mu in 0..M {
             sum += (self.modal_inertia[mu] + self.modal_inertia[mu].transpose()) * q[mu];
             for nu in 0..M {
                 sum += self.modal_pair_inertia[mu][nu] * (q[mu] * q[nu]);
+                // The pair (ν, μ) brings the same Γ: half of Γ and half of its transpose each.
+                let second = inertia(&self.linear_load[mu][nu]);
+                sum -= (second + second.transpose()) * (half * q[mu] * q[nu]);
             }
         }
         sum
@@ -95,7 +142,7 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
     fn deformed_modal_inertia(&self, mu: usize, q: &SVector<T, M>) -> Matrix3<T> {
         let mut sum = self.modal_inertia[mu];
         for nu in 0..M {
-            sum += self.modal_pair_inertia[nu][mu] * q[nu];
+            sum += (self.modal_pair_inertia[nu][mu] - inertia(&self.linear_load[nu][mu])) * q[nu];
         }
         sum
     }
@@ -106,7 +153,7 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
         for mu in 0..M {
             let mut column = self.coupling[mu];
             for nu in 0..M {
-                column += self.pair_coupling[nu][mu] * q[nu];
+                column += (self.pair_coupling[nu][mu] - axial(&self.linear_load[nu][mu])) * q[nu];
             }
             coupling.set_column(mu, &column);
         }
@@ -120,6 +167,10 @@ impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<T> for Na
 
     fn undeformed(&self) -> SVector<T, M> {
         SVector::zeros()
+    }
+
+    fn is_stiffened(&self) -> bool {
+        self.is_stiffened
     }
 
     fn modal_mass(&self) -> ModalMatrix<SVector<T, M>, T> {
@@ -142,9 +193,9 @@ impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<T> for Na
     ) -> Prepared<SVector<T, M>, T> {
         Prepared {
             mass: self.mass,
-            first_moment: self.centre(q) * self.mass,
+            first_moment: self.first_moment(q),
             inertia: self.deformed_inertia(q),
-            modal_first_moment: rows(&(self.modal_centre_of_mass * self.mass)),
+            modal_first_moment: rows(&self.modal_first_moment(q)),
             rotation_modal_coupling: rows(&self.rotation_modal_coupling(q)),
             quadratic_velocity: GeneralisedForce::from_vector(&self.quadratic_velocity(q, omega, q_dot)),
             internal_force: self.internal_force(q, q_dot),
@@ -168,16 +219,16 @@ impl<const M: usize, const N: usize, T: RealField + Copy> FlexibleBody<T> for Na
     fn gravity_force(&self, q: &SVector<T, M>, gravity: &Vector3<T>) -> GeneralisedForce<SVector<T, M>, T> {
         GeneralisedForce {
             force: gravity * self.mass,
-            moment: self.centre(q).cross(gravity) * self.mass,
-            modal: self.modal_centre_of_mass.tr_mul(gravity) * self.mass,
+            moment: self.first_moment(q).cross(gravity),
+            modal: self.modal_first_moment(q).tr_mul(gravity),
         }
     }
 }
 
 impl<const M: usize, const N: usize, T: RealField + Copy> DenseForms<M, N, T> for NaiveBody<M, N, T> {
     fn mass_matrix(&self, q: &SVector<T, M>) -> SMatrix<T, N, N> {
-        let translation_rotation = -self.centre(q).cross_matrix() * self.mass;
-        let translation_modal = self.modal_centre_of_mass * self.mass;
+        let translation_rotation = -self.first_moment(q).cross_matrix();
+        let translation_modal = self.modal_first_moment(q);
         let rotation_modal = self.rotation_modal_coupling(q);
         let mut mass = SMatrix::<T, N, N>::zeros();
         mass.fixed_view_mut::<3, 3>(0, 0).copy_from(&(Matrix3::identity() * self.mass));
@@ -200,15 +251,23 @@ impl<const M: usize, const N: usize, T: RealField + Copy> DenseForms<M, N, T> fo
     ) -> SVector<T, N> {
         let two: T = convert(2.0);
         // Q_t = m ω × (ω × r) + 2 m ω × (B q̇)
-        let centripetal = omega.cross(&omega.cross(&self.centre(q))) * self.mass;
-        let coriolis = omega.cross(&(self.modal_centre_of_mass * q_dot)) * (two * self.mass);
+        let centripetal = omega.cross(&omega.cross(&self.first_moment(q)));
+        let coriolis = omega.cross(&(self.modal_first_moment(q) * q_dot)) * two;
         // Q_r = ω × (Θ_rr ω) + 2 q̇_μ Θ_μ^d ω
         let mut rotational = omega.cross(&(self.deformed_inertia(q) * omega));
         for mu in 0..M {
             rotational += self.deformed_modal_inertia(mu, q) * omega * (two * q_dot[mu]);
         }
+        // and what steady rates leave of second order: -Γ_μν q̇_μ q̇_ν
+        let mut translational = centripetal + coriolis;
+        for mu in 0..M {
+            for nu in 0..M {
+                translational -= self.uniform_load[mu][nu] * (q_dot[mu] * q_dot[nu]);
+                rotational -= axial(&self.linear_load[mu][nu]) * (q_dot[mu] * q_dot[nu]);
+            }
+        }
         let mut result = SVector::<T, N>::zeros();
-        result.fixed_rows_mut::<3>(0).copy_from(&(centripetal + coriolis));
+        result.fixed_rows_mut::<3>(0).copy_from(&translational);
         result.fixed_rows_mut::<3>(3).copy_from(&rotational);
         // Q_f,μ = -ω · Θ_μ^d ω + 2 q̇_ν ω · ϑ_νμ
         for mu in 0..M {
@@ -254,8 +313,8 @@ impl<const M: usize, const N: usize, T: RealField + Copy> Observables<T> for Nai
     ) -> T {
         let half: T = convert(0.5);
         velocity.dot(velocity) * half * self.mass
-            + velocity.dot(&omega.cross(&self.centre(q))) * self.mass
-            + velocity.dot(&(self.modal_centre_of_mass * q_dot)) * self.mass
+            + velocity.dot(&omega.cross(&self.first_moment(q)))
+            + velocity.dot(&(self.modal_first_moment(q) * q_dot))
             + omega.dot(&(self.deformed_inertia(q) * omega)) * half
             + omega.dot(&(self.rotation_modal_coupling(q) * q_dot))
             + q_dot.dot(&(self.modal_mass * q_dot)) * half
@@ -273,7 +332,7 @@ impl<const M: usize, const N: usize, T: RealField + Copy> Observables<T> for Nai
         omega: &Vector3<T>,
         q_dot: &SVector<T, M>,
     ) -> Vector3<T> {
-        (velocity + omega.cross(&self.centre(q)) + self.modal_centre_of_mass * q_dot) * self.mass
+        velocity * self.mass + omega.cross(&self.first_moment(q)) + self.modal_first_moment(q) * q_dot
     }
 
     fn angular_momentum(
@@ -283,7 +342,7 @@ impl<const M: usize, const N: usize, T: RealField + Copy> Observables<T> for Nai
         omega: &Vector3<T>,
         q_dot: &SVector<T, M>,
     ) -> Vector3<T> {
-        self.centre(q).cross(velocity) * self.mass
+        self.first_moment(q).cross(velocity)
             + self.deformed_inertia(q) * omega
             + self.rotation_modal_coupling(q) * q_dot
     }
@@ -293,7 +352,7 @@ impl<const M: usize, const N: usize, T: RealField + Copy> Observables<T> for Nai
     }
 
     fn first_mass_moment(&self, q: &SVector<T, M>) -> Vector3<T> {
-        self.centre(q) * self.mass
+        self.first_moment(q)
     }
 }
 

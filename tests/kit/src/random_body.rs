@@ -1,7 +1,8 @@
 //! Random unsymmetric bodies made from random nodes: consistent by construction, special in nothing.
 
 use ffrf_model::{
-    Inertia, Marker, Matrix3, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, Vector3,
+    GeometricStiffness, Inertia, Marker, Matrix3, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION,
+    Vector3,
 };
 
 use crate::random::Random;
@@ -44,6 +45,34 @@ pub fn random_body(seed: u64, count: usize, modes: Modes) -> ReducedBody {
         orthonormalise(&masses, rigid, &mut fields);
     }
     body(&masses, &positions, &fields, &mut random)
+}
+
+/// The body with a geometric stiffness of random numbers, see [`random_geometric_stiffness`].
+pub fn stiffened(mut body: ReducedBody, seed: u64, size: f64) -> ReducedBody {
+    body.geometric_stiffness = Some(random_geometric_stiffness(seed, body.mode_count(), size));
+    body
+}
+
+/// Geometric stiffness of random numbers: that of no part, but symmetric in the modes as every one is.
+///
+/// `size` should be small beside the masses of the modes, for the mass matrix to stay positive definite.
+pub fn random_geometric_stiffness(seed: u64, count: usize, size: f64) -> GeometricStiffness {
+    let mut random = Random::new(seed);
+    let mut geometric = GeometricStiffness {
+        uniform_load: vec![vec![[0.0; 3]; count]; count],
+        linear_load: vec![vec![[[0.0; 3]; 3]; count]; count],
+    };
+    for mu in 0..count {
+        for nu in mu..count {
+            let uniform = [0, 1, 2].map(|_| size * random.number());
+            let linear = [0, 1, 2].map(|_| [0, 1, 2].map(|_| size * random.number()));
+            for (row, column) in [(mu, nu), (nu, mu)] {
+                geometric.uniform_load[row][column] = uniform;
+                geometric.linear_load[row][column] = linear;
+            }
+        }
+    }
+    geometric
 }
 
 fn body(masses: &[f64], positions: &Field, fields: &[Field], random: &mut Random) -> ReducedBody {
@@ -104,6 +133,8 @@ fn body(masses: &[f64], positions: &Field, fields: &[Field], random: &mut Random
         },
         stiffness,
         damping,
+        geometric_stiffness: None,
+        stress_markers: Vec::new(),
         markers: vec![marker("tip", 0), marker("root", 1)],
     }
 }

@@ -79,7 +79,7 @@ pub fn check<const M: usize, const N: usize, B: DenseForms<M, N> + Observables>(
     kernels: &Kernels,
     full: bool,
 ) {
-    let naive = NaiveBody::<M, N>::new(&invariants(body));
+    let naive = NaiveBody::<M, N>::new(&invariants(body)).stiffened(body.geometric_stiffness.as_ref());
     for s in samples::<M, N>() {
         let (q, v, w, p, f) = (&s.q, &s.velocity, &s.omega, &s.q_dot, &s.force);
         let slices = (q.as_slice(), v.as_slice(), w.as_slice(), p.as_slice(), f.as_slice());

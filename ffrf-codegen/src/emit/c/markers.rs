@@ -1,6 +1,6 @@
 //! The body's own numbers and its markers.
 
-use ffrf_model::Marker;
+use ffrf_model::{Marker, ReducedBody, StressMarker};
 
 use super::Style;
 use super::notation::number;
@@ -35,7 +35,12 @@ pub(super) fn constants(text: &mut Text, subject: &Subject<'_>, style: &Style) {
 
 /// Writes the type of markers and what there is.
 pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style) {
-    let Some(model) = subject.model.filter(|model| !model.markers.is_empty()) else { return };
+    let Some(model) = subject.model else { return };
+    let [names, stress_names] = constant_names(model, &RESERVED);
+    stress_declarations(text, model, &stress_names, style);
+    if model.markers.is_empty() {
+        return;
+    }
     let (prefix, kind, modes) = (&style.prefix, style.type_name(), style.mode_count);
     text.documentation([
         "A marker. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.".to_owned(),
@@ -46,7 +51,7 @@ pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style
             text.line(format!("{kind} translation[3][{modes}];\n{kind} rotation[3][{modes}];"));
         }
     });
-    for (marker, name) in model.markers.iter().zip(constant_names(&model.markers, &RESERVED)) {
+    for (marker, name) in model.markers.iter().zip(names) {
         text.documentation([format!("Marker `{}`.", plain(&marker.name))]);
         text.line(format!("extern const {prefix}_marker {}_{name};", style.macro_prefix));
     }
@@ -56,10 +61,56 @@ pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style
 /// Writes the numbers of the markers.
 pub(super) fn definitions(text: &mut Text, subject: &Subject<'_>, style: &Style) {
     let Some(model) = subject.model else { return };
-    for (marker, name) in model.markers.iter().zip(constant_names(&model.markers, &RESERVED)) {
+    let [names, stress_names] = constant_names(model, &RESERVED);
+    for (marker, name) in model.markers.iter().zip(names) {
         let head = format!("const {}_marker {}_{name} = {{", style.prefix, style.macro_prefix);
         text.block(&head, "};\n", |text| numbers(text, marker, style));
     }
+    for (marker, name) in model.stress_markers.iter().zip(stress_names) {
+        let head = format!("const {}_stress_marker {}_{name} = {{", style.prefix, style.macro_prefix);
+        text.block(&head, "};\n", |text| stress_numbers(text, marker, style));
+    }
+}
+
+fn stress_declarations(text: &mut Text, model: &ReducedBody, names: &[String], style: &Style) {
+    if model.stress_markers.is_empty() {
+        return;
+    }
+    let (prefix, kind, modes) = (&style.prefix, style.type_name(), style.mode_count);
+    text.documentation([
+        "A stress marker: rows xx, yy, zz, xy, xz, yz, to be multiplied by q. Units: m; N/m² per unit modal coordinate."
+            .to_owned(),
+    ]);
+    text.block("typedef struct {", &format!("}} {prefix}_stress_marker;\n"), |text| {
+        text.line(format!("{kind} position[3];"));
+        if modes > 0 {
+            text.line(format!("{kind} stress[6][{modes}];"));
+        }
+    });
+    for (marker, name) in model.stress_markers.iter().zip(names) {
+        text.documentation([format!("Stress marker `{}`.", plain(&marker.name))]);
+        text.line(format!("extern const {prefix}_stress_marker {}_{name};", style.macro_prefix));
+    }
+    text.blank();
+}
+
+fn stress_numbers(text: &mut Text, marker: &StressMarker, style: &Style) {
+    let list = |values: &mut dyn Iterator<Item = f64>| {
+        braced(&values.map(|value| number(value, style.scalar)).collect::<Vec<_>>())
+    };
+    let position = list(&mut marker.position.into_iter());
+    if style.mode_count == 0 {
+        text.line(position);
+        return;
+    }
+    text.line(format!("{position},"));
+    text.block("{", "}", |text| {
+        for component in 0..6 {
+            let comma = if component < 5 { "," } else { "" };
+            let row = list(&mut marker.stress.iter().map(|stress| stress[component]));
+            text.line(format!("{row}{comma}"));
+        }
+    });
 }
 
 fn numbers(text: &mut Text, marker: &Marker, style: &Style) {

@@ -52,10 +52,20 @@ pub(super) fn inherent_method(
 /// The checks of single invariants. Θ_ff comes before the moments that are measured by it.
 fn properties(mode_count: usize, layout: &Layout) -> Vec<String> {
     use Invariant::{
-        Damping, FirstMoment, Mass, ModalFirstMoment, ModalMass, ModeModeMoment, PositionModeMoment,
-        SecondMoment, Stiffness,
+        Damping, FirstMoment, LinearLoadStiffness, Mass, ModalFirstMoment, ModalMass, ModeModeMoment,
+        PositionModeMoment, SecondMoment, Stiffness, UniformLoadStiffness,
     };
-    let order = [Mass, SecondMoment, ModalMass, PositionModeMoment, ModeModeMoment, Stiffness, Damping];
+    let order = [
+        Mass,
+        SecondMoment,
+        ModalMass,
+        PositionModeMoment,
+        ModeModeMoment,
+        Stiffness,
+        Damping,
+        UniformLoadStiffness,
+        LinearLoadStiffness,
+    ];
     let mut calls = Vec::new();
     for invariant in order {
         let (name, structure) = (invariant.name(), layout[invariant]);
@@ -79,6 +89,9 @@ fn properties(mode_count: usize, layout: &Layout) -> Vec<String> {
             )),
             Stiffness | Damping => {
                 calls.push(format!("checks::modal_matrix(\"{name}\", &self.{name})?;"));
+            }
+            UniformLoadStiffness | LinearLoadStiffness => {
+                calls.push(format!("checks::load_stiffness(\"{name}\", &self.{name})?;"));
             }
             // Any finite vector can be one of these.
             FirstMoment | ModalFirstMoment => {}

@@ -8,7 +8,9 @@ use crate::ScalarType;
 use crate::emit::Subject;
 use crate::emit::listing::Listing;
 use crate::emit::writer::Writer;
+use crate::fidelity::EnergyTerm;
 use crate::formulate::{Interface, JACOBIANS, KERNELS, Signature};
+use crate::invariants::Invariant;
 
 /// One implementation for each trait; for every scalar if the body is generic.
 ///
@@ -47,7 +49,10 @@ pub(super) fn implementations(writer: &mut Writer, subject: &Subject<'_>, listin
             more(writer);
         });
     };
-    block(writer, Interface::FlexibleBody, &|writer| stable_step(writer, subject));
+    block(writer, Interface::FlexibleBody, &|writer| {
+        stiffened(writer, subject);
+        stable_step(writer, subject);
+    });
     writer.blank();
     block(writer, Interface::Observables, &|_| {});
     writer.blank();
@@ -80,6 +85,19 @@ fn associated(writer: &mut Writer, types: &Types) {
     writer.block(&format!("fn undeformed(&self) -> {} {{", types.modal()), "}", |writer| {
         writer.line("::ffrf::nalgebra::SVector::zeros()");
     });
+}
+
+/// The method that tells that the stress of accelerations changes the stiffness, where it does.
+fn stiffened(writer: &mut Writer, subject: &Subject<'_>) {
+    let layout = &subject.report.layout;
+    let of = |invariant, term| layout.is_data(invariant) && subject.options.fidelity.keeps(term);
+    let is_stiffened = of(Invariant::LinearLoadStiffness, EnergyTerm::AngularAccelerationStiffening)
+        || of(Invariant::UniformLoadStiffness, EnergyTerm::LinearAccelerationStiffening);
+    if is_stiffened {
+        writer.blank();
+        writer.line("#[inline]");
+        writer.block("fn is_stiffened(&self) -> bool {", "}", |writer| writer.line("true"));
+    }
 }
 
 /// The method that knows the largest stable step of a body whose numbers are known and which vibrates.

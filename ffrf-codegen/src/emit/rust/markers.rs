@@ -1,6 +1,6 @@
 //! Inherent constants of a body: its own numbers and its markers.
 
-use ffrf_model::{Marker, ReducedBody};
+use ffrf_model::{Marker, ReducedBody, StressMarker};
 
 use super::structure::{RESERVED, constants, visibility};
 use crate::emit::Subject;
@@ -26,31 +26,92 @@ pub(super) fn inherent_constants(
             }
             constant.write(writer, options);
         }
-        for (marker, name) in body.markers.iter().zip(constant_names(&body.markers, &RESERVED)) {
+        let [names, stress_names] = constant_names(body, &RESERVED);
+        for (marker, name) in body.markers.iter().zip(names) {
             writer.blank();
             marker_constant(writer, marker, &name, report.mode_count, options);
+        }
+        for (marker, name) in body.stress_markers.iter().zip(stress_names) {
+            writer.blank();
+            stress_constant(writer, marker, &name, report.mode_count, options);
         }
     });
 }
 
-/// The methods of the trait that knows markers by name.
+/// The methods of the trait that knows markers by name; those for stress if there is any.
 pub(super) fn trait_methods(writer: &mut Writer, subject: &Subject<'_>, marker: &str) {
-    let markers = subject.model.map_or(&[][..], |model| &model.markers);
-    let names: Vec<String> = markers.iter().map(|marker| format!("{:?}", marker.name)).collect();
+    let [constants, stress_constants] =
+        subject.model.map_or([Vec::new(), Vec::new()], |model| constant_names(model, &RESERVED));
+    let names =
+        subject.model.map_or(Vec::new(), |model| quoted(model.markers.iter().map(|marker| &marker.name)));
+    lookup(writer, subject, ["marker_names", "marker"], marker, names.into_iter().zip(constants).collect());
+    let Some(model) = subject.model.filter(|model| !model.stress_markers.is_empty()) else { return };
+    let names = quoted(model.stress_markers.iter().map(|marker| &marker.name));
+    writer.blank();
+    let methods = ["stress_marker_names", "stress_marker"];
+    let kind = marker.replacen("Marker", "StressMarker", 1);
+    lookup(writer, subject, methods, &kind, names.into_iter().zip(stress_constants).collect());
+}
+
+fn quoted<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
+    names.map(|name| format!("{name:?}")).collect()
+}
+
+/// The names, and the constant of each.
+fn lookup(
+    writer: &mut Writer,
+    subject: &Subject<'_>,
+    [all, one]: [&str; 2],
+    kind: &str,
+    entries: Vec<(String, String)>,
+) {
+    let names: Vec<String> = entries.iter().map(|(name, _)| name.clone()).collect();
     writer.line("#[inline]");
-    writer.block("fn marker_names(&self) -> &'static [&'static str] {", "}", |writer| {
+    writer.block(&format!("fn {all}(&self) -> &'static [&'static str] {{"), "}", |writer| {
         writer.line(format!("&{}", bracketed(&names, 12)));
     });
     writer.blank();
     writer.line("#[inline]");
-    let head = format!("fn marker(&self, name: &str) -> ::core::option::Option<{marker}> {{");
+    let head = format!("fn {one}(&self, name: &str) -> ::core::option::Option<{kind}> {{");
     writer.block(&head, "}", |writer| {
         writer.block("match name {", "}", |writer| {
             let cast = if subject.options.scalar == ScalarType::Generic { ".cast()" } else { "" };
-            for (name, constant) in names.iter().zip(constant_names(markers, &RESERVED)) {
+            for (name, constant) in entries {
                 writer.line(format!("{name} => ::core::option::Option::Some(Self::{constant}{cast}),"));
             }
             writer.line("_ => ::core::option::Option::None,");
+        });
+    });
+}
+
+/// A vector of literals.
+fn vector(entries: &mut dyn Iterator<Item = f64>, scalar: ScalarType) -> String {
+    let entries: Vec<String> = entries.map(|value| literal(value, scalar)).collect();
+    format!("::ffrf::generated_support::vector({})", bracketed(&entries, 48))
+}
+
+fn stress_constant(
+    writer: &mut Writer,
+    marker: &StressMarker,
+    name: &str,
+    modes: usize,
+    options: &GenerateOptions,
+) {
+    let scalar = options.scalar.constant_type_name();
+    writer.documentation([format!(
+        "Stress marker `{}`: xx, yy, zz, xy, xz, yz. Units: N/m², per unit modal coordinate. Frame: body.",
+        marker.name
+    )]);
+    let kind = format!("::ffrf::StressMarker<::ffrf::nalgebra::SVector<{scalar}, {modes}>, {scalar}>");
+    let head = format!("{}const {name}: {kind} = ::ffrf::StressMarker {{", visibility(options));
+    writer.block(&head, "};", |writer| {
+        let position = vector(&mut marker.position.into_iter(), options.scalar);
+        writer.line(format!("position: {position},"));
+        writer.block("stress: [", "],", |writer| {
+            for component in 0..6 {
+                let row = &mut marker.stress.iter().map(|stress| stress[component]);
+                writer.line(format!("{},", vector(row, options.scalar)));
+            }
         });
     });
 }
@@ -63,10 +124,7 @@ fn marker_constant(
     options: &GenerateOptions,
 ) {
     let scalar = options.scalar.constant_type_name();
-    let vector = |entries: &mut dyn Iterator<Item = f64>| {
-        let entries: Vec<String> = entries.map(|value| literal(value, options.scalar)).collect();
-        format!("::ffrf::generated_support::vector({})", bracketed(&entries, 48))
-    };
+    let vector = |entries: &mut dyn Iterator<Item = f64>| vector(entries, options.scalar);
     writer.documentation([format!(
         "Marker `{}`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.",
         marker.name

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::import::ImportError;
 use crate::import::text::source::Source;
-use crate::{Element, Nodes};
+use crate::{Element, Nodes, SolidMaterial};
 
 /// What a node source supplies.
 #[derive(Debug, Default)]
@@ -13,6 +13,8 @@ pub(crate) struct NodeTable {
     pub(crate) nodes: Nodes,
     /// Elements that can be drawn.
     pub(crate) elements: Vec<Element>,
+    /// Materials.
+    pub(crate) materials: Vec<SolidMaterial>,
     /// Which nodes belong to some element; `None` if the file has no elements.
     pub(crate) attached: Option<Vec<bool>>,
     /// Element types known to make trouble, at their first line.

@@ -43,6 +43,11 @@ pub(super) fn statics(writer: &mut Writer, tables: &LaneTables, scalar: ScalarTy
     let stiffness = items.matrix("STIFFNESS", "K_ff", &tables.stiffness);
     let damping = items.matrix("DAMPING", "D_ff", &tables.damping);
     let modal_factors = items.factors(&tables.modal_factors);
+    let second_order_odd = items.optional(
+        "SECOND_ORDER_ODD",
+        "-ϑ(Γ_μν), geometric stiffness of angular acceleration. Layout: group, mode, axis, lane.",
+        tables.second_order_odd.as_ref(),
+    );
     let moments = items.moments(tables);
     let array = |numbers: &[f64]| row(numbers, scalar);
     let list = |numbers: Option<[f64; 3]>| numbers.map_or(NONE.to_owned(), |numbers| some(&array(&numbers)));
@@ -80,6 +85,7 @@ pub(super) fn statics(writer: &mut Writer, tables: &LaneTables, scalar: ScalarTy
             ("stiffness", stiffness),
             ("damping", damping),
             ("moments", moments.to_owned()),
+            ("second_order_odd", second_order_odd),
         ] {
             writer.line(format!("{field}: {value},"));
         }

@@ -6,12 +6,12 @@ use super::fields::{element_kind, element_trouble, keyword_at, line_fields, set_
 use super::keyword::Keyword;
 use super::limits;
 use super::mesh::{Member, Mesh, Place, Placement, RawElement, RawSet};
-use crate::ElementKind;
 use crate::import::ImportError;
 use crate::import::nodes::ElementTrouble;
 use crate::import::text::compressed::stored_path;
 use crate::import::text::cursor::Cursor;
 use crate::import::text::source::Source;
+use crate::{Elasticity, ElementKind, SolidMaterial};
 
 /// What a deck holds.
 #[derive(Debug)]
@@ -20,6 +20,7 @@ pub(super) struct Deck {
     pub(super) meshes: Vec<Mesh>,
     pub(super) sources: Vec<Source>,
     pub(super) has_boundary: bool,
+    pub(super) materials: Vec<SolidMaterial>,
     pub(super) troubles: Vec<ElementTrouble>,
 }
 
@@ -31,6 +32,7 @@ enum Data {
     Elements { kind: Option<(ElementKind, usize)> },
     Set { generate: bool },
     Placement { lines: usize },
+    Elastic { lines: usize },
 }
 
 #[derive(Debug, Default)]
@@ -42,6 +44,7 @@ struct Reader {
     open: Option<Mesh>,
     sources: Vec<Source>,
     has_boundary: bool,
+    materials: Vec<SolidMaterial>,
     troubles: Vec<ElementTrouble>,
     /// Numbers of the files that are being read, each included by the one before.
     within: Vec<usize>,
@@ -61,8 +64,8 @@ pub(super) fn read(path: &Path, inflated_limit: u64) -> Result<Deck, ImportError
     // A part without instance stands for itself.
     let mut meshes = if reader.instances.is_empty() { reader.parts } else { reader.instances };
     meshes.push(reader.root);
-    let Reader { sources, has_boundary, troubles, .. } = reader;
-    Ok(Deck { meshes, sources, has_boundary, troubles })
+    let Reader { sources, has_boundary, materials, troubles, .. } = reader;
+    Ok(Deck { meshes, sources, has_boundary, materials, troubles })
 }
 
 impl Reader {
@@ -210,6 +213,12 @@ impl Reader {
                 self.mesh().sets.push(RawSet { name, instance, members: Vec::new() });
                 Data::Set { generate: keyword.has("GENERATE") }
             }
+            "MATERIAL" => {
+                let name = keyword.get("NAME").unwrap_or_default().to_owned();
+                self.materials.push(SolidMaterial { name, elasticity: None });
+                Data::Skip
+            }
+            "ELASTIC" if is_isotropic(keyword) => Data::Elastic { lines: 0 },
             "BOUNDARY" => {
                 self.has_boundary = true;
                 Data::Skip
@@ -293,6 +302,22 @@ impl Reader {
                 }
                 Ok(())
             }
+            Data::Elastic { lines } => {
+                let fields = line_fields(bytes, cursor).fields;
+                let read: Option<Vec<f64>> = fields.iter().take(2).map(|field| decimal(field)).collect();
+                let elasticity = match read.as_deref() {
+                    Some(&[youngs_modulus, poisson_ratio]) => {
+                        Some(Elasticity { youngs_modulus, poisson_ratio })
+                    }
+                    _ => None,
+                };
+                // Constants on more lines are those of other temperatures.
+                if let Some(material) = self.materials.last_mut() {
+                    material.elasticity = elasticity.filter(|_| *lines == 0);
+                }
+                *lines += 1;
+                Ok(())
+            }
             Data::Placement { lines } => {
                 let read: Option<Vec<f64>> =
                     line_fields(bytes, cursor).fields.iter().map(|field| field.parse().ok()).collect();
@@ -330,6 +355,15 @@ impl Reader {
             None => Ok(()),
         }
     }
+}
+
+fn is_isotropic(keyword: &Keyword) -> bool {
+    keyword.get("TYPE").is_none_or(|kind| kind.to_uppercase().starts_with("ISO"))
+}
+
+/// A number, which Fortran may have written as `2.1D11`.
+fn decimal(field: &str) -> Option<f64> {
+    field.replace(['d', 'D'], "e").parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 fn read_node(

@@ -92,3 +92,31 @@ fn included_files_are_read_and_listed() {
     std::fs::write(&path, "*INCLUDE, INPUT=part.inp\n").unwrap();
     assert!(read(&path, 0).unwrap_err().to_string().contains("does not include itself (not `part.inp`)"));
 }
+
+#[test]
+fn materials_are_read_where_they_are_isotropic() {
+    let table = deck(
+        "*Node\n1, 0., 0., 0.\n*Material, name=STEEL\n*Density\n7850.,\n*Elastic\n 2.1D11, 0.3\n\
+         *MATERIAL, NAME=ALUMINIUM\n*ELASTIC, TYPE=ISO\n70e9, 0.33, 20.\n\
+         *MATERIAL, NAME=HOT\n*ELASTIC\n70e9, 0.33, 20.\n60e9, 0.33, 200.\n\
+         *MATERIAL, NAME=PLY\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1., 2., 3., 4., 5., 6., 7., 8.\n9.\n\
+         *MATERIAL, NAME=TYPO\n*ELASTIC\n70e9; 0.3\n",
+    )
+    .unwrap();
+    let found: Vec<(&str, Option<[f64; 2]>)> = table
+        .materials
+        .iter()
+        .map(|material| {
+            let constants = material.elasticity.map(|it| [it.youngs_modulus, it.poisson_ratio]);
+            (material.name.as_str(), constants)
+        })
+        .collect();
+    let expected = [
+        ("STEEL", Some([2.1e11, 0.3])),
+        ("ALUMINIUM", Some([70e9, 0.33])),
+        ("HOT", None),
+        ("PLY", None),
+        ("TYPO", None),
+    ];
+    assert_eq!(found, expected);
+}

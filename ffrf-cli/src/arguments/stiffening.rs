@@ -1,0 +1,17 @@
+//! Geometric stiffness on the command line.
+
+use clap::Args;
+
+/// Whether the body gets geometric stiffness, and from which material.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Geometric stiffness")]
+pub struct StiffeningChoice {
+    /// Compute what the stresses of centrifugal, angular and linear acceleration add to the stiffness of the modes: needs the
+    /// elements of a deck. Bodies that turn near or above their lowest frequency need it.
+    #[arg(long, conflicts_with = "mode_shapes")]
+    pub geometric_stiffness: bool,
+    /// Young's modulus and Poisson's ratio of the whole part, in the units of the files (default: *ELASTIC of the deck); for
+    /// --geometric-stiffness and --stress.
+    #[arg(long, value_name = "E,NU", value_parser = super::parse_pair, allow_hyphen_values = true)]
+    pub elastic: Option<(f64, f64)>,
+}

@@ -1,0 +1,73 @@
+//! Static displacements of given loads, the frame held as a reference condition says.
+
+use faer::{Mat, MatRef};
+
+use crate::{FeError, FeModel};
+
+use super::coordinates::Coordinates;
+use super::flexibility::{Flexibility, Supported};
+use super::interface_motion::InterfaceMotion;
+use super::reference_condition::{apply, balance};
+use super::rigid_motion::RigidMotion;
+use super::{Interface, ReferenceCondition};
+
+/// Displacements of `loads` up to a rigid motion, with the nodes of rows `held` at rest. Shape: 3N x k, as that of `loads`.
+///
+/// A load of which balancing leaves less than the share `round_off` has no displacement.
+/// Errors: no stiffness, one that is not positive definite, nodes or interfaces that do not exist.
+pub(crate) fn static_shapes(
+    model: &FeModel,
+    held: &[usize],
+    interfaces: &[Interface],
+    reference: &ReferenceCondition,
+    loads: MatRef<'_, f64>,
+    round_off: f64,
+) -> Result<Mat<f64>, FeError> {
+    let coordinates = Coordinates::held(model, interfaces, held)?;
+    let motion = InterfaceMotion::new(&coordinates, interfaces)?;
+    let rigid = RigidMotion::new(&coordinates)?;
+    let supported = Supported::new(&coordinates, &rigid)?;
+    let flexibility = Flexibility::new(&coordinates, &rigid, &supported, 1)?;
+    let forces = coordinates.contract(loads);
+    let before = norms(&forces);
+    let mut balanced = balance(reference, &flexibility, &motion, interfaces, forces)?;
+    for (j, (after, before)) in norms(&balanced).into_iter().zip(before).enumerate() {
+        if after <= round_off * before {
+            balanced.col_as_slice_mut(j).fill(0.0);
+        }
+    }
+    let shapes = refined(&flexibility, &balanced);
+    Ok(coordinates.expand(shapes.as_ref()))
+}
+
+/// Displacements of `forces` in the frame of the reference condition, supports taking what the forces do not balance; nodes of
+/// rows `held` at rest. Shape: 3N x k, as that of `forces`.
+///
+/// Errors: as those of [`static_shapes`].
+pub(crate) fn static_responses(
+    model: &FeModel,
+    held: &[usize],
+    interfaces: &[Interface],
+    reference: &ReferenceCondition,
+    forces: MatRef<'_, f64>,
+) -> Result<Mat<f64>, FeError> {
+    let coordinates = Coordinates::held(model, interfaces, held)?;
+    let motion = InterfaceMotion::new(&coordinates, interfaces)?;
+    let rigid = RigidMotion::new(&coordinates)?;
+    let supported = Supported::new(&coordinates, &rigid)?;
+    let flexibility = Flexibility::new(&coordinates, &rigid, &supported, 1)?;
+    let shapes = refined(&flexibility, &coordinates.contract(forces));
+    let shapes = apply(reference, &flexibility, &motion, interfaces, shapes)?;
+    Ok(coordinates.expand(shapes.as_ref()))
+}
+
+/// G F with one step of refinement where the supports have nothing to take.
+fn refined(flexibility: &Flexibility<'_>, forces: &Mat<f64>) -> Mat<f64> {
+    let shapes = flexibility.supported(forces.as_ref());
+    let rest = forces - flexibility.coordinates.stiffness_times(shapes.as_ref());
+    shapes + flexibility.supported(rest.as_ref())
+}
+
+fn norms(columns: &Mat<f64>) -> Vec<f64> {
+    (0..columns.ncols()).map(|j| columns.col_as_slice(j).iter().map(|x| x * x).sum::<f64>().sqrt()).collect()
+}

@@ -1,0 +1,19 @@
+//! Geometric stiffness: what the stresses of inertial loads add to the stiffness of the modes.
+//!
+//! The way through this module: `loads` are the forces of unit accelerations; `support` balances them as the frame of the modes
+//! asks and gives the displacements that they cause; `integrate` turns these into stresses inside the elements, and the
+//! stresses into Γ_μν = ∫ ∇φ_μᵀ σ ∇φ_ν. `elasticity` says what the elements are made of. `second_order` goes the
+//! other way round, for checks.
+
+mod compute;
+mod elasticity;
+mod integrate;
+mod loads;
+mod second_order;
+mod support;
+
+pub use crate::error::GeometricStiffnessError;
+pub use compute::geometric_stiffness;
+pub use elasticity::uniform_elasticity;
+pub use second_order::{SecondOrder, second_order_displacements};
+pub use support::PrestressSupport;
