@@ -5,7 +5,8 @@
 use ffrf_host::mechanism::{Element, ElementKind};
 use ffrf_host::{HostMechanism, HostModal};
 use ffrf_runtime::forces::{Bushing, Effort, Friction, Spring, TorsionSpring};
-use ffrf_runtime::mechanism::{Assembly, Attachment, Constrained, Treatment};
+use ffrf_runtime::joints::{Fixed, JointKind};
+use ffrf_runtime::mechanism::{Assembly, Attachment, Connection, Constrained, Treatment};
 use ffrf_runtime::{
     FreeBody, GeneralisedAlpha, State, StepError, StepReport, Tolerances, step_dormand_prince,
     step_linearly_implicit, step_linearly_implicit_euler,
@@ -201,4 +202,49 @@ fn a_fixed_step_is_stable_for_every_stiffness_and_damping() {
             }
         }
     }
+}
+
+/// The pendulum with its lower body held by a bushing of this stiffness, or by a fixed joint.
+fn held(stiffness: Option<f64>) -> HostMechanism {
+    let (mechanism, _) = double_pendulum(PROJECTION, true);
+    let bodies = mechanism.bodies().iter().cloned().zip(mechanism.markers().iter().cloned()).collect();
+    let (first, second) = (on(0, 0), on(1, 1));
+    let mut joints = vec![(*mechanism.connection(0).unwrap(), None)];
+    if stiffness.is_none() {
+        joints.push((Connection { kind: JointKind::Fixed(Fixed), first, second }, None));
+    }
+    let bushings = stiffness.into_iter().map(|stiffness| {
+        let bushing = Bushing { stiffness: [stiffness; 6], damping: [0.0; 6] };
+        Element { kind: ElementKind::Bushing(bushing), first, second }
+    });
+    HostMechanism::new(bodies, joints, mechanism.gravity()).unwrap().with_elements(bushings.collect())
+}
+
+#[test]
+fn a_stiff_bushing_tends_to_the_fixed_joint() {
+    let fixed = held(None);
+    let (_, start) = double_pendulum(PROJECTION, true);
+    let start = Constrained(&fixed).assemble(0.0, start, 1e-10).unwrap().0;
+    let end = |mechanism: &HostMechanism, steps: usize| {
+        let system = Constrained(mechanism);
+        let (mut state, h) = (start.clone(), 0.1 / steps as f64);
+        for k in 0..steps {
+            state = step_linearly_implicit(&system, &state, k as f64 * h, h).unwrap().0;
+        }
+        state.iter().flat_map(State::numbers).collect::<Vec<f64>>()
+    };
+    let expected = end(&fixed, 4000);
+    let apart = |stiffness: f64, steps: usize| {
+        let soft = held(Some(stiffness));
+        let found = end(&soft, steps);
+        let apart = found.iter().zip(&expected).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        eprintln!("stiffness {stiffness:e}, {steps} steps: {apart:.2e}");
+        apart
+    };
+    // what a bushing gives way falls with its stiffness, until the error of steps is left
+    let [loose, firm] = [1e6, 1e9].map(|stiffness| apart(stiffness, 2000));
+    assert!(firm < 0.01 * loose, "{firm:e} {loose:e}");
+    // the error of steps, of order one at least: stages meet curved motion to first order only
+    let errors = [500, 1000, 2000].map(|steps| apart(1e12, steps));
+    assert!(errors[0] < 1e-4 && errors.windows(2).all(|pair| pair[1] < 0.6 * pair[0]), "{errors:?}");
 }

@@ -2,7 +2,7 @@
 
 use super::motions::{Prescribed, parts, wave};
 use ffrf_runtime::nalgebra::{Quaternion, SVector, UnitQuaternion, Vector3};
-use ffrf_runtime::rotation::{cayley, cayley_rate, turned};
+use ffrf_runtime::rotation::{cayley, cayley_omega, cayley_rate, turned};
 use ffrf_runtime::{Increment, Motion, State};
 use ffrf_test_kit::tolerances::{DERIVED, ROUND_OFF};
 use num_dual::{Dual, Dual64};
@@ -102,6 +102,15 @@ fn the_map_turns_by_twice_the_arc_tangent_of_half_its_vector() {
         assert!((rate - axis * (1.0 + 0.25 * angle * angle)).norm() < ROUND_OFF * (1.0 + angle * angle));
     }
     assert_eq!(cayley(&Vector3::<f64>::zeros()), UnitQuaternion::identity());
+}
+
+#[test]
+fn the_angular_velocity_of_a_rate_is_the_one_that_gave_it() {
+    for seed in 0..20 {
+        let part = |start: usize| Vector3::from_fn(|k, _| 2.0 * wave::<f64>(start + k + 31 * seed, 0.3));
+        let (rotation, omega) = (part(0), part(3));
+        close(&cayley_omega(&rotation, &cayley_rate(&rotation, &omega)), &omega);
+    }
 }
 
 #[test]

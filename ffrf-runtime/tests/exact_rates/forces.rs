@@ -3,7 +3,7 @@
 
 use super::joints::{End, end, pairs};
 use ffrf_runtime::forces::{
-    Actuator, Bushing, Effort, ForceElement, Friction, Spring, TorsionSpring, relative_angle,
+    Actuator, Bushing, Effort, ForceElement, Friction, SoftRow, Spring, TorsionSpring, relative_angle,
 };
 use ffrf_runtime::nalgebra::{UnitQuaternion, Vector3};
 use ffrf_runtime::{MarkerMotion, Wrench};
@@ -168,5 +168,67 @@ fn actuators_are_an_effort_along_and_one_about_the_axis() {
         // positive is apart on a line
         let apart = Effort::Line.wrenches(first, second, 2.0)[1].force;
         assert!(apart.dot(&(second.position - first.position)) > 0.0);
+    });
+}
+
+/// What the soft rows of an element say of wrenches on both ends: -(stiffness + `of_damping` damping) g v along g.
+fn of_soft_rows(element: &dyn ForceElement<f64>, ends: [&End; 2], of_damping: f64) -> [Wrench; 2] {
+    let [first, second] = [&ends[0].motion, &ends[1].motion];
+    let mut sum = [Wrench::zero(); 2];
+    element.soften(first, second, &mut |row: SoftRow| {
+        let rate = row.first.power(&first.velocity, &first.angular_velocity)
+            + row.second.power(&second.velocity, &second.angular_velocity);
+        let effort = -(row.stiffness + of_damping * row.damping) * rate;
+        for (sum, gradient) in sum.iter_mut().zip([row.first, row.second]) {
+            sum.force += gradient.force * effort;
+            sum.moment += gradient.moment * effort;
+        }
+    });
+    sum
+}
+
+#[track_caller]
+fn same(found: &[Wrench; 2], expected: &[Wrench; 2]) {
+    for (found, expected) in found.iter().zip(expected) {
+        let apart = (found.force - expected.force).norm() + (found.moment - expected.moment).norm();
+        let size = 1.0 + expected.force.norm() + expected.moment.norm();
+        assert!(apart <= DERIVED * size, "{found:?} and {expected:?}");
+    }
+}
+
+#[test]
+fn soft_rows_are_the_dampers() {
+    for_every_pair(|ends| {
+        let elements: [Box<dyn ForceElement<f64>>; 3] = [
+            Box::new(Spring { stiffness: 0.0, damping: 3.0, rest_length: 0.7 }),
+            Box::new(TorsionSpring { stiffness: 0.0, damping: 2.0, rest_angle: 0.2 }),
+            Box::new(Bushing { stiffness: [0.0; 6], damping: [1.0, 2.0, 3.0, 0.4, 0.5, 0.6] }),
+        ];
+        for element in elements {
+            let wrenches = element.wrenches(&ends[0].motion, &ends[1].motion);
+            same(&of_soft_rows(&*element, ends, 1.0), &wrenches);
+        }
+        for effort in EFFORTS {
+            // far below the speed of the passage friction is a damper
+            let friction = Friction { effort, limit: 2e9, speed: 1e9, viscous: 0.5 };
+            same(&of_soft_rows(&friction, ends, 1.0), &friction.wrenches(&ends[0].motion, &ends[1].motion));
+        }
+    });
+}
+
+#[test]
+fn soft_rows_of_a_stretched_spring_are_the_rate_of_its_force() {
+    let number = Dual2_64::from;
+    for_every_pair(|ends| {
+        for rest_length in [0.0, 1e-3] {
+            let spring = Spring { stiffness: 30.0, damping: 4.0, rest_length };
+            let exact =
+                Spring { stiffness: number(30.0), damping: number(0.0), rest_length: number(rest_length) };
+            let rates = exact.wrenches(&ends[0].path, &ends[1].path).map(|wrench| Wrench {
+                force: wrench.force.map(|x| x.v1),
+                moment: wrench.moment.map(|x| x.v1),
+            });
+            same(&of_soft_rows(&spring, ends, 0.0), &rates);
+        }
     });
 }
