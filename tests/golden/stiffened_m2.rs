@@ -9,8 +9,8 @@
 // Cost of one call:
 //   mass_matrix          99 operations: 63 multiply-add, 12 multiply, 24 add
 //   quadratic_velocity   249 operations: 133 multiply-add, 74 multiply, 42 add
-//   forward_dynamics     430 operations: 262 multiply-add, 110 multiply, 52 add, 6 divide
-//   equations_of_motion  430 operations: 262 multiply-add, 110 multiply, 52 add, 6 divide
+//   forward_dynamics     433 operations: 262 multiply-add, 113 multiply, 52 add, 6 divide
+//   equations_of_motion  433 operations: 262 multiply-add, 113 multiply, 52 add, 6 divide
 //   kinetic_energy       167 operations: 101 multiply-add, 31 multiply, 35 add
 //   elastic_energy       7 operations: 3 multiply-add, 4 multiply
 //   linear_momentum      45 operations: 30 multiply-add, 9 multiply, 6 add
@@ -41,6 +41,13 @@ impl StiffenedBody {
     /// Largest step with which the classical Runge-Kutta method of order four is stable for small motions of the
     /// free body, from its highest frequency and its damping; infinite without either. Units: s.
     pub const LARGEST_STABLE_STEP: f64 = 0.26763221889324745;
+
+    /// Floating-point operations of one call of `forward_dynamics`; none where it is a loop over lanes, whose work
+    /// depends on the registers of the target.
+    pub const FLOPS: ::core::option::Option<usize> = ::core::option::Option::Some(433);
+
+    /// Tables that loops over lanes read; zero where all numbers stand in statements. Units: bytes.
+    pub const TABLE_BYTES: usize = 0;
 
     /// Hash of the model's content, to tell versions apart.
     pub const MODEL_FINGERPRINT: u64 = 0xd3b43108d61eae34;
@@ -342,7 +349,7 @@ const _: () = {
     ///
     /// Shape: 8: translation 3, rotation 3, modes 2. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    /// Cost: 430 operations: 262 multiply-add, 110 multiply, 52 add, 6 divide.
+    /// Cost: 433 operations: 262 multiply-add, 113 multiply, 52 add, 6 divide.
     #[inline]
     fn forward_dynamics(q: &[f64; 2], omega: &[f64; 3], q_dot: &[f64; 2], force: &[f64; 8]) -> [f64; 8] {
         let [q0, q1] = *q;
@@ -508,7 +515,7 @@ const _: () = {
         let reduced_moment_z = fma(-coupling_z0, modal_residual0, moment_z - (t26 + t28 + fma(q_dot1, t29, q_dot0 * t30)));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, reduced_moment_z);
 
-        // Rigid-body accelerations (99 operations: 65 multiply-add, 28 multiply, 6 divide)
+        // Rigid-body accelerations (102 operations: 65 multiply-add, 31 multiply, 6 divide)
         let t63 = 1.0 / fma(-modal_first_moment1_x, modal_first_moment1_x, t42);
         let t64 = t46 * t63;
         let t65 = fma(t47, t64, t45);
@@ -551,28 +558,29 @@ const _: () = {
         let t102 = fma(-t100, t86, t101 * t91);
         let t103 = fma(-t75, t97, fma(-t74, t98, fma(t56, t99, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t92, t92, t93 * t95) * fma(-t92, t102, t93 * fma(-t100, t94, t103 * t91));
-        let angular_acceleration_y = 1.0 / t93 * fma(-t92, angular_acceleration_z, t102);
-        let t104 = fma(-t85, angular_acceleration_y, fma(-t79, angular_acceleration_z, t100));
-        let angular_acceleration_x = 1.0 / t90 * t104;
-        let acceleration_z = fma(-t82, angular_acceleration_y, fma(-t87, angular_acceleration_x, t97));
-        let acceleration_z = fma(-t76, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t83, angular_acceleration_y, fma(t88, angular_acceleration_x, t98));
-        let acceleration_y = fma(t69, acceleration_z, fma(-t77, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t84, angular_acceleration_y, fma(t89, angular_acceleration_x, t99));
-        let acceleration_x = fma(t64, acceleration_z, fma(t78, angular_acceleration_z, acceleration_x));
+        let t104 = 1.0 / t93;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t92 * t104, t102 * t104);
+        let t105 = 1.0 / t90;
+        let angular_acceleration_x = fma(-(t85 * t105), angular_acceleration_y, fma(-angular_acceleration_z, t79 * t105, t100 * t105));
+        let acceleration_z = fma(-t82, angular_acceleration_y, fma(-t76, angular_acceleration_z, t97));
+        let acceleration_z = fma(-t87, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t83, angular_acceleration_y, fma(-t77, angular_acceleration_z, t98));
+        let acceleration_y = fma(t69, acceleration_z, fma(t88, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t84, angular_acceleration_y, fma(t78, angular_acceleration_z, t99));
+        let acceleration_x = fma(t64, acceleration_z, fma(t89, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(t66, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t105 = fma(-modal_first_moment0_y, acceleration_y, fma(-modal_first_moment0_x, acceleration_x, modal_residual0));
-        let t106 = fma(-coupling_x0, angular_acceleration_x, fma(-modal_first_moment0_z, acceleration_z, t105));
-        let t107 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t106));
-        let t108 = fma(-modal_first_moment1_y, acceleration_y, fma(-modal_first_moment1_x, acceleration_x, modal_residual1));
-        let t109 = fma(-coupling_x1, angular_acceleration_x, fma(-modal_first_moment1_z, acceleration_z, t108));
-        let t110 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t109));
+        let t106 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t107 = fma(-modal_first_moment0_z, acceleration_z, fma(-coupling_x0, angular_acceleration_x, t106));
+        let t108 = fma(-modal_first_moment0_x, acceleration_x, fma(-modal_first_moment0_y, acceleration_y, t107));
+        let t109 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t110 = fma(-modal_first_moment1_z, acceleration_z, fma(-coupling_x1, angular_acceleration_x, t109));
+        let t111 = fma(-modal_first_moment1_x, acceleration_x, fma(-modal_first_moment1_y, acceleration_y, t110));
 
         [
             acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-            angular_acceleration_y, angular_acceleration_z, t107, t110,
+            angular_acceleration_y, angular_acceleration_z, t108, t111,
         ]
     }
 
@@ -580,18 +588,18 @@ const _: () = {
     ///
     /// Shape: 8 x 8, 8, 8. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    /// Cost: 430 operations: 262 multiply-add, 110 multiply, 52 add, 6 divide.
+    /// Cost: 433 operations: 262 multiply-add, 113 multiply, 52 add, 6 divide.
     #[inline]
-    fn equations_of_motion(
+    fn write_equations_of_motion(
         q: &[f64; 2],
         omega: &[f64; 3],
         q_dot: &[f64; 2],
         force: &[f64; 8],
-    ) -> ([[f64; 8]; 8], [f64; 8], [f64; 8]) {
+        mass_matrix: &mut [[f64; 8]; 8],
+        quadratic_velocity: &mut [f64; 8],
+        acceleration: &mut [f64; 8],
+    ) {
         let [q0, q1] = *q;
-        let [omega_x, omega_y, omega_z] = *omega;
-        let [q_dot0, q_dot1] = *q_dot;
-        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
 
         // Deformed moments T_μ + q_ν T_νμ (36 operations: 36 multiply-add)
         let moment_trace0 = fma(-0.09986480019321482, q1, fma(q0, 1.1665854413180816, 0.4358316362142337));
@@ -640,6 +648,44 @@ const _: () = {
         let inertia_yz = fma(change_yz, -0.5, 0.06983143474160262);
         let inertia_xz = fma(change_xz, -0.5, -0.3301091078793566);
         let inertia_xy = fma(change_xy, -0.5, 0.5045461310218917);
+
+        *mass_matrix = [
+            [
+                7.326169929447994, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, modal_first_moment0_x,
+                modal_first_moment1_x,
+            ],
+            [
+                0.0, 7.326169929447994, 0.0, -first_moment_z, 0.0, first_moment_x, modal_first_moment0_y,
+                modal_first_moment1_y,
+            ],
+            [
+                0.0, 0.0, 7.326169929447994, first_moment_y, -first_moment_x, 0.0, modal_first_moment0_z,
+                modal_first_moment1_z,
+            ],
+            [
+                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                coupling_x1,
+            ],
+            [
+                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                coupling_y1,
+            ],
+            [
+                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                coupling_z1,
+            ],
+            [
+                modal_first_moment0_x, modal_first_moment0_y, modal_first_moment0_z, coupling_x0,
+                coupling_y0, coupling_z0, 1.0, 0.0,
+            ],
+            [
+                modal_first_moment1_x, modal_first_moment1_y, modal_first_moment1_z, coupling_x1,
+                coupling_y1, coupling_z1, 0.0, 1.0,
+            ],
+        ];
+        support::keep_stores_above();
+        let [omega_x, omega_y, omega_z] = *omega;
+        let [q_dot0, q_dot1] = *q_dot;
 
         // Translation: ω × (ω × m r + 2 m B q̇) (42 operations: 21 multiply-add, 18 multiply, 3 add)
         let t1 = fma(q_dot1, modal_first_moment1_y, q_dot0 * modal_first_moment0_y);
@@ -716,6 +762,10 @@ const _: () = {
         let modal_quadratic1 = fma(moment_yz1, t34, fma(moment_xz1, t35, fma(moment_xy1, t36, modal_quadratic1)));
         let modal_quadratic1 = fma(t29, whirl_z1, fma(t23, whirl_y1, fma(t17, whirl_x1, modal_quadratic1)));
 
+        *quadratic_velocity = [t7, t12, t15, t21, t27, t33, modal_quadratic0, modal_quadratic1];
+        support::keep_stores_above();
+        let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
+
         // Modal forces f - Q_f - K q - D q̇ (16 operations: 4 multiply-add, 2 multiply, 10 add)
         let t43 = fma(0.40323510721431716, q_dot0, fma(-0.5354316634826126, q1, 40.32351072143172 * q0));
         let modal_residual0 = modal_force0 - modal_quadratic0 - t43;
@@ -751,7 +801,7 @@ const _: () = {
         let reduced_moment_y = fma(-coupling_y1, modal_residual1, fma(-coupling_y0, modal_residual0, moment_y - t27));
         let reduced_moment_z = fma(-coupling_z1, modal_residual1, fma(-coupling_z0, modal_residual0, moment_z - t33));
 
-        // Rigid-body accelerations (99 operations: 65 multiply-add, 28 multiply, 6 divide)
+        // Rigid-body accelerations (102 operations: 65 multiply-add, 31 multiply, 6 divide)
         let t66 = 1.0 / fma(-modal_first_moment1_x, modal_first_moment1_x, t45);
         let t67 = t49 * t66;
         let t68 = fma(t50, t67, t48);
@@ -794,66 +844,30 @@ const _: () = {
         let t105 = fma(-t103, t89, t104 * t94);
         let t106 = fma(-t78, t100, fma(-t77, t101, fma(t59, t102, reduced_moment_z)));
         let angular_acceleration_z = 1.0 / fma(-t95, t95, t96 * t98) * fma(-t95, t105, t96 * fma(-t103, t97, t106 * t94));
-        let angular_acceleration_y = 1.0 / t96 * fma(-t95, angular_acceleration_z, t105);
-        let t107 = fma(-t88, angular_acceleration_y, fma(-t82, angular_acceleration_z, t103));
-        let angular_acceleration_x = 1.0 / t93 * t107;
-        let acceleration_z = fma(-t85, angular_acceleration_y, fma(-t90, angular_acceleration_x, t100));
-        let acceleration_z = fma(-t79, angular_acceleration_z, acceleration_z);
-        let acceleration_y = fma(-t86, angular_acceleration_y, fma(t91, angular_acceleration_x, t101));
-        let acceleration_y = fma(t72, acceleration_z, fma(-t80, angular_acceleration_z, acceleration_y));
-        let acceleration_x = fma(-t87, angular_acceleration_y, fma(t92, angular_acceleration_x, t102));
-        let acceleration_x = fma(t67, acceleration_z, fma(t81, angular_acceleration_z, acceleration_x));
+        let t107 = 1.0 / t96;
+        let angular_acceleration_y = fma(-angular_acceleration_z, t95 * t107, t105 * t107);
+        let t108 = 1.0 / t93;
+        let angular_acceleration_x = fma(-(t88 * t108), angular_acceleration_y, fma(-angular_acceleration_z, t82 * t108, t103 * t108));
+        let acceleration_z = fma(-t85, angular_acceleration_y, fma(-t79, angular_acceleration_z, t100));
+        let acceleration_z = fma(-t90, angular_acceleration_x, acceleration_z);
+        let acceleration_y = fma(-t86, angular_acceleration_y, fma(-t80, angular_acceleration_z, t101));
+        let acceleration_y = fma(t72, acceleration_z, fma(t91, angular_acceleration_x, acceleration_y));
+        let acceleration_x = fma(-t87, angular_acceleration_y, fma(t81, angular_acceleration_z, t102));
+        let acceleration_x = fma(t67, acceleration_z, fma(t92, angular_acceleration_x, acceleration_x));
         let acceleration_x = fma(t69, acceleration_y, acceleration_x);
 
         // Modal accelerations (12 operations: 12 multiply-add)
-        let t108 = fma(-modal_first_moment0_y, acceleration_y, fma(-modal_first_moment0_x, acceleration_x, modal_residual0));
-        let t109 = fma(-coupling_x0, angular_acceleration_x, fma(-modal_first_moment0_z, acceleration_z, t108));
-        let t110 = fma(-coupling_z0, angular_acceleration_z, fma(-coupling_y0, angular_acceleration_y, t109));
-        let t111 = fma(-modal_first_moment1_y, acceleration_y, fma(-modal_first_moment1_x, acceleration_x, modal_residual1));
-        let t112 = fma(-coupling_x1, angular_acceleration_x, fma(-modal_first_moment1_z, acceleration_z, t111));
-        let t113 = fma(-coupling_z1, angular_acceleration_z, fma(-coupling_y1, angular_acceleration_y, t112));
+        let t109 = fma(-coupling_y0, angular_acceleration_y, fma(-coupling_z0, angular_acceleration_z, modal_residual0));
+        let t110 = fma(-modal_first_moment0_z, acceleration_z, fma(-coupling_x0, angular_acceleration_x, t109));
+        let t111 = fma(-modal_first_moment0_x, acceleration_x, fma(-modal_first_moment0_y, acceleration_y, t110));
+        let t112 = fma(-coupling_y1, angular_acceleration_y, fma(-coupling_z1, angular_acceleration_z, modal_residual1));
+        let t113 = fma(-modal_first_moment1_z, acceleration_z, fma(-coupling_x1, angular_acceleration_x, t112));
+        let t114 = fma(-modal_first_moment1_x, acceleration_x, fma(-modal_first_moment1_y, acceleration_y, t113));
 
-        (
-            [
-                [
-                    7.326169929447994, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, modal_first_moment0_x,
-                    modal_first_moment1_x,
-                ],
-                [
-                    0.0, 7.326169929447994, 0.0, -first_moment_z, 0.0, first_moment_x, modal_first_moment0_y,
-                    modal_first_moment1_y,
-                ],
-                [
-                    0.0, 0.0, 7.326169929447994, first_moment_y, -first_moment_x, 0.0, modal_first_moment0_z,
-                    modal_first_moment1_z,
-                ],
-                [
-                    0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
-                    coupling_x1,
-                ],
-                [
-                    first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
-                    coupling_y1,
-                ],
-                [
-                    -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
-                    coupling_z1,
-                ],
-                [
-                    modal_first_moment0_x, modal_first_moment0_y, modal_first_moment0_z, coupling_x0,
-                    coupling_y0, coupling_z0, 1.0, 0.0,
-                ],
-                [
-                    modal_first_moment1_x, modal_first_moment1_y, modal_first_moment1_z, coupling_x1,
-                    coupling_y1, coupling_z1, 0.0, 1.0,
-                ],
-            ],
-            [t7, t12, t15, t21, t27, t33, modal_quadratic0, modal_quadratic1],
-            [
-                acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
-                angular_acceleration_y, angular_acceleration_z, t110, t113,
-            ],
-        )
+        *acceleration = [
+            acceleration_x, acceleration_y, acceleration_z, angular_acceleration_x,
+            angular_acceleration_y, angular_acceleration_z, t111, t114,
+        ];
     }
 
     /// Kinetic energy.
@@ -1539,17 +1553,39 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
             force: &::ffrf::nalgebra::SVector<f64, 8>,
         ) -> ::ffrf::EquationsOfMotion<2, 8, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+            let mut results = ::ffrf::EquationsOfMotion::zeros();
+            self.write_equations_of_motion(
+                q,
+                omega,
+                q_dot,
+                force,
+                &mut results.mass_matrix,
+                &mut results.quadratic_velocity,
+                &mut results.acceleration,
+            );
+            results
+        }
+
+        #[inline]
+        fn write_equations_of_motion(
+            &self,
+            q: &::ffrf::nalgebra::SVector<f64, 2>,
+            omega: &::ffrf::nalgebra::Vector3<f64>,
+            q_dot: &::ffrf::nalgebra::SVector<f64, 2>,
+            force: &::ffrf::nalgebra::SVector<f64, 8>,
+            mass_matrix: &mut ::ffrf::nalgebra::SMatrix<f64, 8, 8>,
+            quadratic_velocity: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+            acceleration: &mut ::ffrf::nalgebra::SVector<f64, 8>,
+        ) {
+            write_equations_of_motion(
                 support::array(q),
                 support::array(omega),
                 support::array(q_dot),
                 support::array(force),
+                support::columns_mut(mass_matrix),
+                support::array_mut(quadratic_velocity),
+                support::array_mut(acceleration),
             );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
         }
     }
 
