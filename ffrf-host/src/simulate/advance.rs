@@ -2,14 +2,13 @@
 
 use ffrf_runtime::mechanism::Constrained;
 use ffrf_runtime::{
-    AlphaMemory, ControlledStep, Drift, EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport,
-    System, Tolerances, step_dormand_prince, step_exponential, step_linearly_implicit,
-    step_linearly_implicit_euler, step_rk4, step_symplectic_euler, try_dormand_prince,
+    AlphaMemory, ControlledStep, Drift, StepError, StepReport, System, Tolerances, try_dormand_prince,
 };
 
+use super::one_step::{States, explicit_step, step_in_space, tolerances};
+use crate::HostMechanism;
 use crate::mechanism::{HostIncrement, JointCoordinates};
-use crate::scene::{Integrator, Settings, StepChoice};
-use crate::{HostMechanism, HostModal};
+use crate::scene::{Settings, StepChoice};
 
 /// How far a simulation has come: the last whole step, and counts.
 ///
@@ -38,9 +37,6 @@ pub struct Advance {
     /// What the generalised-α method remembers of its last step.
     pub memory: Option<AlphaMemory<HostIncrement>>,
 }
-
-/// The states of all bodies.
-pub type States = Vec<State<HostModal>>;
 
 /// A step that was done and is not yet taken.
 pub(super) struct Step<'a> {
@@ -133,8 +129,7 @@ impl Advance {
         match advancing.settings.step {
             StepChoice::Fixed(step) => self.fixed_to(advancing, step, time, look),
             StepChoice::Tolerance(relative) => {
-                let tolerances = Tolerances { relative, absolute: relative * ABSOLUTE_SHARE };
-                self.controlled_to(advancing, &tolerances, time, look)
+                self.controlled_to(advancing, &tolerances(relative), time, look)
             }
         }
     }
@@ -265,10 +260,10 @@ impl Advancing<'_> {
         let integrator = self.settings.integrator;
         match self.tree {
             Some(tree) if integrator.is_explicit() => {
-                let (state, report) = explicit(integrator, tree, &tree.relative(state), time, step)?;
+                let (state, report) = explicit_step(integrator, tree, &tree.relative(state), time, step)?;
                 Ok((tree.absolute(&state), report))
             }
-            _ => self.absolute_step(memory, state, time, step),
+            _ => step_in_space(self.mechanism, self.settings, memory, state, time, step),
         }
     }
 
@@ -298,51 +293,4 @@ impl Advancing<'_> {
         let size = system.weighted_error(state, &rates, tolerances) * tolerances.relative;
         Ok(if size > 0.0 { (0.01 / size).min(FIRST_STEP) } else { FIRST_STEP })
     }
-
-    /// One step in absolute coordinates.
-    fn absolute_step(
-        &self,
-        memory: &mut Option<AlphaMemory<HostIncrement>>,
-        state: &States,
-        time: f64,
-        step: f64,
-    ) -> Result<(States, StepReport), StepError> {
-        let (system, settings) = (&Constrained(self.mechanism), self.settings);
-        match settings.integrator {
-            Integrator::SymplecticEuler | Integrator::Rk4 | Integrator::Dopri5 => {
-                explicit(settings.integrator, system, state, time, step)
-            }
-            Integrator::LinearlyImplicit => step_linearly_implicit(system, state, time, step),
-            Integrator::LinearlyImplicitEuler => step_linearly_implicit_euler(system, state, time, step),
-            Integrator::GeneralizedAlpha => {
-                let method =
-                    GeneralisedAlpha { spectral_radius: settings.spectral_radius, ..GeneralisedAlpha::new() };
-                let memory = match memory {
-                    Some(memory) => memory,
-                    none => none.insert(method.start(system, state, time, step)?),
-                };
-                method.step(system, memory, state, time, step)
-            }
-            Integrator::EnergyMomentum => EnergyMomentum::new().step(system, state, time, step),
-            Integrator::Exponential => step_exponential(system, state, time, step),
-        }
-    }
 }
-
-/// One step of an explicit integrator; the classical Runge-Kutta method for all that are not named here.
-fn explicit<S: System<f64>>(
-    integrator: Integrator,
-    system: &S,
-    state: &S::State,
-    time: f64,
-    step: f64,
-) -> Result<(S::State, StepReport), StepError> {
-    match integrator {
-        Integrator::SymplecticEuler => step_symplectic_euler(system, state, time, step),
-        Integrator::Dopri5 => step_dormand_prince(system, state, time, step),
-        _ => step_rk4(system, state, time, step),
-    }
-}
-
-/// Absolute tolerance of a component over the relative one, in units of that component (m, rad, m/s, ...).
-const ABSOLUTE_SHARE: f64 = 1e-2;

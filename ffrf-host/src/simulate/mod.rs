@@ -3,15 +3,18 @@
 mod advance;
 mod check;
 mod events;
+mod one_step;
 mod run;
 mod sample;
 mod saved_state;
 mod spin;
 mod watch;
 
-pub use advance::{Advance, Advancing, States};
+pub use advance::{Advance, Advancing};
 pub use check::{SceneCheck, check};
 pub use events::{Ended, Event, EventFunction, Then, run_with_events};
+pub use one_step::States;
+pub(crate) use one_step::{step_in_space, tolerances};
 pub use run::{Progress, SimulationError, Summary, simulate};
 pub use sample::{Sample, header};
 pub(crate) use sample::{read as read_sensor, total_energy};

@@ -8,8 +8,9 @@ use std::cell::Cell;
 use ffrf_runtime::StepError;
 use ffrf_runtime::mechanism::Constrained;
 
-use super::advance::{States, Step};
+use super::advance::Step;
 use super::events::zero;
+use super::one_step::States;
 use super::read_sensor;
 use crate::scene::{Scene, SensorKind};
 

@@ -4,17 +4,14 @@
 //! its times, so that the step is what was asked for and costs nothing besides.
 
 use ffrf_runtime::mechanism::Constrained;
-use ffrf_runtime::{
-    AlphaMemory, EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, System, Tolerances,
-    step_dormand_prince, step_exponential, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
-    step_symplectic_euler, try_dormand_prince,
-};
+use ffrf_runtime::{AlphaMemory, StepError, StepReport, System, try_dormand_prince};
 
 use nalgebra::{RealField, convert, try_convert};
 
+use crate::HostMechanism;
 use crate::mechanism::HostIncrement;
-use crate::scene::{Integrator, Settings, StepChoice};
-use crate::{HostMechanism, HostModal};
+use crate::scene::{Settings, StepChoice};
+use crate::simulate::{States, step_in_space, tolerances};
 
 /// The step sizes and counts of a simulation so far, in any number type.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,9 +27,6 @@ pub(super) struct March<T: RealField + Copy = f64> {
     /// What the generalised-α method remembers of its last step.
     memory: Option<AlphaMemory<HostIncrement<T>>>,
 }
-
-/// The states of all bodies.
-type States<T = f64> = Vec<State<HostModal<T>, T>>;
 
 /// From one sample to the next. Units: s.
 struct Interval {
@@ -55,9 +49,7 @@ impl<T: RealField + Copy> March<T> {
         };
         Self { next_step, steps: 0, refused: 0, iterations: 0, memory: None }
     }
-}
 
-impl<T: RealField + Copy> March<T> {
     /// The state at `end` (s), from `state` at `start` (s), in absolute coordinates; times are counted in f64. Fixed steps are
     /// equal, and at most as long as wanted.
     ///
@@ -71,7 +63,7 @@ impl<T: RealField + Copy> March<T> {
         end: f64,
     ) -> Result<States<T>, (f64, StepError)> {
         let step = |march: &mut Self, state: &States<T>, time: T, step: T| {
-            march.fixed(mechanism, settings, state, time, step)
+            step_in_space(mechanism, settings, &mut march.memory, state, time, step)
         };
         self.through(&Constrained(mechanism), settings.step, state, Interval { start, end }, step)
     }
@@ -98,8 +90,7 @@ impl<T: RealField + Copy> March<T> {
                 }
             }
             StepChoice::Tolerance(relative) => {
-                let tolerances =
-                    Tolerances { relative: convert(relative), absolute: convert(relative * ABSOLUTE_SHARE) };
+                let tolerances = tolerances(relative);
                 let mut time = start;
                 while time < end {
                     let rest = end - time;
@@ -131,56 +122,8 @@ impl<T: RealField + Copy> March<T> {
         Ok(state)
     }
 
-    /// One step of a fixed size in absolute coordinates.
-    fn fixed(
-        &mut self,
-        mechanism: &HostMechanism<T>,
-        settings: &Settings,
-        state: &States<T>,
-        time: T,
-        step: T,
-    ) -> Result<(States<T>, StepReport<T>), StepError> {
-        let system = &Constrained(mechanism);
-        match settings.integrator {
-            Integrator::SymplecticEuler | Integrator::Rk4 | Integrator::Dopri5 => {
-                explicit(settings.integrator, system, state, time, step)
-            }
-            Integrator::LinearlyImplicit => step_linearly_implicit(system, state, time, step),
-            Integrator::LinearlyImplicitEuler => step_linearly_implicit_euler(system, state, time, step),
-            Integrator::GeneralizedAlpha => {
-                let spectral_radius = convert(settings.spectral_radius);
-                let method = GeneralisedAlpha { spectral_radius, ..GeneralisedAlpha::new() };
-                let memory = match &mut self.memory {
-                    Some(memory) => memory,
-                    none => none.insert(method.start(system, state, time, step)?),
-                };
-                method.step(system, memory, state, time, step)
-            }
-            Integrator::EnergyMomentum => EnergyMomentum::new().step(system, state, time, step),
-            Integrator::Exponential => step_exponential(system, state, time, step),
-        }
-    }
-
     fn accept(&mut self, report: &StepReport<T>) {
         self.steps += 1;
         self.iterations += report.iterations as u64;
     }
 }
-
-/// One step of an explicit integrator; the classical Runge-Kutta method for all that are not named here.
-fn explicit<T: RealField + Copy, S: System<T>>(
-    integrator: Integrator,
-    system: &S,
-    state: &S::State,
-    time: T,
-    step: T,
-) -> Result<(S::State, StepReport<T>), StepError> {
-    match integrator {
-        Integrator::SymplecticEuler => step_symplectic_euler(system, state, time, step),
-        Integrator::Dopri5 => step_dormand_prince(system, state, time, step),
-        _ => step_rk4(system, state, time, step),
-    }
-}
-
-/// Absolute tolerance of a component over the relative one, in units of that component (m, rad, m/s, ...).
-const ABSOLUTE_SHARE: f64 = 1e-2;
