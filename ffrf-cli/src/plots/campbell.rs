@@ -7,7 +7,7 @@ use plotters::prelude::{
     WHITE,
 };
 
-use super::{GREY, PALE, colour, text};
+use super::{GREY, PALE, colour, draw_series_names, text};
 
 const SIZE: (u32, u32) = (960, 600);
 /// Multiples of the speed that are drawn as excitation.
@@ -76,13 +76,7 @@ pub fn draw(points: &[CampbellPoint]) -> Result<String> {
                 .label(name)
                 .legend(move |(x, y)| Circle::new((x + 9, y), 3, style));
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperLeft)
-            .background_style(WHITE.mix(0.85))
-            .label_font(text(13))
-            .border_style(PALE)
-            .draw()?;
+        draw_series_names(&mut chart, SeriesLabelPosition::UpperLeft)?;
         area.present()?;
     }
     Ok(svg)

@@ -8,7 +8,11 @@ mod transfer;
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use plotters::prelude::{IntoFont as _, RGBColor, TextStyle};
+use plotters::coord::CoordTranslate;
+use plotters::prelude::{
+    ChartContext, Color as _, DrawingAreaErrorKind, DrawingBackend, IntoFont as _, RGBColor,
+    SeriesLabelPosition, TextStyle, WHITE,
+};
 
 pub use campbell::draw as draw_campbell;
 pub use histories::{Panel, draw as draw_histories};
@@ -46,4 +50,18 @@ fn colour(index: usize) -> RGBColor {
 /// Text of a size in pixels.
 fn text(size: i32) -> TextStyle<'static> {
     ("sans-serif", size).into_font().color(&GREY)
+}
+
+/// The names of the series, in a frame that lets lines shine through.
+fn draw_series_names<'a, DB: DrawingBackend + 'a, CT: CoordTranslate>(
+    chart: &mut ChartContext<'a, DB, CT>,
+    position: SeriesLabelPosition,
+) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
+    chart
+        .configure_series_labels()
+        .position(position)
+        .background_style(WHITE.mix(0.85))
+        .label_font(text(13))
+        .border_style(PALE)
+        .draw()
 }

@@ -8,7 +8,7 @@ use plotters::prelude::{
     WHITE,
 };
 
-use super::{GREY, PALE, colour, text};
+use super::{GREY, PALE, colour, draw_series_names, text};
 
 /// What stands at the axis of cost.
 pub const COST_TIME: &str = "processor time of the host / s per simulated s";
@@ -110,13 +110,7 @@ fn draw(caption: &str, cost: &str, points: &[TradePoint], own: f64, front: bool)
         if front {
             chart.draw_series(LineSeries::new(staircase(&points), GREY.stroke_width(2)))?;
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::LowerLeft)
-            .background_style(WHITE.mix(0.85))
-            .label_font(text(13))
-            .border_style(PALE)
-            .draw()?;
+        draw_series_names(&mut chart, SeriesLabelPosition::LowerLeft)?;
         area.present()?;
     }
     Ok(svg)
