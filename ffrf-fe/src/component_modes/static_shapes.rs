@@ -23,21 +23,16 @@ pub(crate) fn static_shapes(
     loads: MatRef<'_, f64>,
     round_off: f64,
 ) -> Result<Mat<f64>, FeError> {
-    let coordinates = Coordinates::held(model, interfaces, held)?;
-    let motion = InterfaceMotion::new(&coordinates, interfaces)?;
-    let rigid = RigidMotion::new(&coordinates)?;
-    let supported = Supported::new(&coordinates, &rigid)?;
-    let flexibility = Flexibility::new(&coordinates, &rigid, &supported, 1)?;
-    let forces = coordinates.contract(loads);
-    let before = norms(&forces);
-    let mut balanced = balance(reference, &flexibility, &motion, interfaces, forces)?;
-    for (j, (after, before)) in norms(&balanced).into_iter().zip(before).enumerate() {
-        if after <= round_off * before {
-            balanced.col_as_slice_mut(j).fill(0.0);
+    displacements(model, held, interfaces, loads, |flexibility, motion, forces| {
+        let before = norms(&forces);
+        let mut balanced = balance(reference, flexibility, motion, interfaces, forces)?;
+        for (j, (after, before)) in norms(&balanced).into_iter().zip(before).enumerate() {
+            if after <= round_off * before {
+                balanced.col_as_slice_mut(j).fill(0.0);
+            }
         }
-    }
-    let shapes = refined(&flexibility, &balanced);
-    Ok(coordinates.expand(shapes.as_ref()))
+        Ok(refined(flexibility, &balanced))
+    })
 }
 
 /// Displacements of `forces` in the frame of the reference condition, supports taking what the forces do not balance; nodes of
@@ -51,13 +46,25 @@ pub(crate) fn static_responses(
     reference: &ReferenceCondition,
     forces: MatRef<'_, f64>,
 ) -> Result<Mat<f64>, FeError> {
+    displacements(model, held, interfaces, forces, |flexibility, motion, forces| {
+        Ok(apply(reference, flexibility, motion, interfaces, refined(flexibility, &forces))?)
+    })
+}
+
+/// What `solve` makes of loads in the coordinates of the model, as displacements of its nodes. Shape: 3N x k.
+fn displacements(
+    model: &FeModel,
+    held: &[usize],
+    interfaces: &[Interface],
+    loads: MatRef<'_, f64>,
+    solve: impl FnOnce(&Flexibility<'_>, &InterfaceMotion, Mat<f64>) -> Result<Mat<f64>, FeError>,
+) -> Result<Mat<f64>, FeError> {
     let coordinates = Coordinates::held(model, interfaces, held)?;
     let motion = InterfaceMotion::new(&coordinates, interfaces)?;
     let rigid = RigidMotion::new(&coordinates)?;
     let supported = Supported::new(&coordinates, &rigid)?;
     let flexibility = Flexibility::new(&coordinates, &rigid, &supported, 1)?;
-    let shapes = refined(&flexibility, &coordinates.contract(forces));
-    let shapes = apply(reference, &flexibility, &motion, interfaces, shapes)?;
+    let shapes = solve(&flexibility, &motion, coordinates.contract(loads))?;
     Ok(coordinates.expand(shapes.as_ref()))
 }
 
