@@ -1,6 +1,6 @@
 //! The body's own numbers and its markers.
 
-use ffrf_model::{Marker, ReducedBody, StressMarker};
+use ffrf_model::{Marker, StressMarker};
 
 use super::Style;
 use super::notation::number;
@@ -37,25 +37,25 @@ pub(super) fn constants(text: &mut Text, subject: &Subject<'_>, style: &Style) {
 pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style) {
     let Some(model) = subject.model else { return };
     let [names, stress_names] = constant_names(model, &RESERVED);
-    stress_declarations(text, model, &stress_names, style);
-    if model.markers.is_empty() {
-        return;
-    }
-    let (prefix, kind, modes) = (&style.prefix, style.type_name(), style.mode_count);
-    text.documentation([
-        "A marker. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.".to_owned(),
-    ]);
-    text.block("typedef struct {", &format!("}} {prefix}_marker;\n"), |text| {
-        text.line(format!("{kind} position[3];"));
-        if modes > 0 {
-            text.line(format!("{kind} translation[3][{modes}];\n{kind} rotation[3][{modes}];"));
-        }
-    });
-    for (marker, name) in model.markers.iter().zip(names) {
-        text.documentation([format!("Marker `{}`.", plain(&marker.name))]);
-        text.line(format!("extern const {prefix}_marker {}_{name};", style.macro_prefix));
-    }
-    text.blank();
+    let constants = model.stress_markers.iter().zip(&stress_names);
+    declare(
+        text,
+        style,
+        (
+            "stress_marker",
+            "A stress marker: rows xx, yy, zz, xy, xz, yz, to be multiplied by q. Units: m; N/m² per unit modal coordinate.",
+        ),
+        &[("stress", 6)],
+        constants.map(|(marker, name)| (format!("Stress marker `{}`.", plain(&marker.name)), name)),
+    );
+    let constants = model.markers.iter().zip(&names);
+    declare(
+        text,
+        style,
+        ("marker", "A marker. Units: m, and per unit modal coordinate; a row for each axis. Frame: body."),
+        &[("translation", 3), ("rotation", 3)],
+        constants.map(|(marker, name)| (format!("Marker `{}`.", plain(&marker.name)), name)),
+    );
 }
 
 /// Writes the numbers of the markers.
@@ -72,63 +72,67 @@ pub(super) fn definitions(text: &mut Text, subject: &Subject<'_>, style: &Style)
     }
 }
 
-fn stress_declarations(text: &mut Text, model: &ReducedBody, names: &[String], style: &Style) {
-    if model.stress_markers.is_empty() {
+/// Writes a type of markers and what there is of it. `kind`: its name and what it is; `fields`: names and rows of shapes;
+/// `constants`: what each is and its name.
+fn declare<'a>(
+    text: &mut Text,
+    style: &Style,
+    (kind, about): (&str, &str),
+    fields: &[(&str, usize)],
+    constants: impl Iterator<Item = (String, &'a String)>,
+) {
+    let mut constants = constants.peekable();
+    if constants.peek().is_none() {
         return;
     }
-    let (prefix, kind, modes) = (&style.prefix, style.type_name(), style.mode_count);
-    text.documentation([
-        "A stress marker: rows xx, yy, zz, xy, xz, yz, to be multiplied by q. Units: m; N/m² per unit modal coordinate."
-            .to_owned(),
-    ]);
-    text.block("typedef struct {", &format!("}} {prefix}_stress_marker;\n"), |text| {
-        text.line(format!("{kind} position[3];"));
+    let (prefix, scalar, modes) = (&style.prefix, style.type_name(), style.mode_count);
+    text.documentation([about.to_owned()]);
+    text.block("typedef struct {", &format!("}} {prefix}_{kind};\n"), |text| {
+        text.line(format!("{scalar} position[3];"));
         if modes > 0 {
-            text.line(format!("{kind} stress[6][{modes}];"));
+            for (field, rows) in fields {
+                text.line(format!("{scalar} {field}[{rows}][{modes}];"));
+            }
         }
     });
-    for (marker, name) in model.stress_markers.iter().zip(names) {
-        text.documentation([format!("Stress marker `{}`.", plain(&marker.name))]);
-        text.line(format!("extern const {prefix}_stress_marker {}_{name};", style.macro_prefix));
+    for (documentation, name) in constants {
+        text.documentation([documentation]);
+        text.line(format!("extern const {prefix}_{kind} {}_{name};", style.macro_prefix));
     }
     text.blank();
 }
 
 fn stress_numbers(text: &mut Text, marker: &StressMarker, style: &Style) {
-    let list = |values: &mut dyn Iterator<Item = f64>| {
-        braced(&values.map(|value| number(value, style.scalar)).collect::<Vec<_>>())
-    };
-    let position = list(&mut marker.position.into_iter());
-    if style.mode_count == 0 {
-        text.line(position);
-        return;
+    position(text, &marker.position, style);
+    if style.mode_count > 0 {
+        rows(text, &marker.stress, "}", style);
     }
-    text.line(format!("{position},"));
-    text.block("{", "}", |text| {
-        for component in 0..6 {
-            let comma = if component < 5 { "," } else { "" };
-            let row = list(&mut marker.stress.iter().map(|stress| stress[component]));
-            text.line(format!("{row}{comma}"));
+}
+
+fn numbers(text: &mut Text, marker: &Marker, style: &Style) {
+    position(text, &marker.position, style);
+    if style.mode_count > 0 {
+        rows(text, &marker.translation, "},", style);
+        rows(text, &marker.rotation, "}", style);
+    }
+}
+
+/// The position, with a comma if shapes follow.
+fn position(text: &mut Text, position: &[f64; 3], style: &Style) {
+    let comma = if style.mode_count == 0 { "" } else { "," };
+    text.line(format!("{}{comma}", list(position.iter().copied(), style)));
+}
+
+/// One row for each component of the shapes of all modes.
+fn rows<const N: usize>(text: &mut Text, shapes: &[[f64; N]], end: &str, style: &Style) {
+    text.block("{", end, |text| {
+        for component in 0..N {
+            let comma = if component + 1 < N { "," } else { "" };
+            text.line(format!("{}{comma}", list(shapes.iter().map(|shape| shape[component]), style)));
         }
     });
 }
 
-fn numbers(text: &mut Text, marker: &Marker, style: &Style) {
-    let list = |values: &mut dyn Iterator<Item = f64>| {
-        braced(&values.map(|value| number(value, style.scalar)).collect::<Vec<_>>())
-    };
-    let position = list(&mut marker.position.into_iter());
-    if style.mode_count == 0 {
-        text.line(position);
-        return;
-    }
-    text.line(format!("{position},"));
-    for (shapes, end) in [(&marker.translation, "},"), (&marker.rotation, "}")] {
-        text.block("{", end, |text| {
-            for axis in 0..3 {
-                let comma = if axis < 2 { "," } else { "" };
-                text.line(format!("{}{comma}", list(&mut shapes.iter().map(|shape| shape[axis]))));
-            }
-        });
-    }
+fn list(values: impl Iterator<Item = f64>, style: &Style) -> String {
+    braced(&values.map(|value| number(value, style.scalar)).collect::<Vec<_>>())
 }
