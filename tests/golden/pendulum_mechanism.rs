@@ -157,7 +157,7 @@ impl Pendulum {
             time,
             *state,
             ::core::option::Option::None,
-            |ports, storage, _| {
+            |ports, storage| {
                 let _ = ports;
                 let plan = ::ffrf::mechanism::Assembly::<f64>::plan(self);
                 ::ffrf::mechanism::reaction(&plan, storage, 0usize).force

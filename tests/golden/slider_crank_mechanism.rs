@@ -409,7 +409,7 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
             time,
             *state,
             ::core::option::Option::None,
-            |ports, storage, _| {
+            |ports, storage| {
                 let _ = ports;
                 let plan = ::ffrf::mechanism::Assembly::<T>::plan(self);
                 ::ffrf::mechanism::reaction(&plan, storage, 0usize).moment
@@ -429,7 +429,7 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
             time,
             *state,
             ::core::option::Option::None,
-            |ports, storage, _| {
+            |ports, storage| {
                 let _ = storage;
                 ::ffrf::mechanism::acceleration(
                     &::ffrf::mechanism::Attachment::<T>::on_body(

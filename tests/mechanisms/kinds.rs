@@ -80,7 +80,7 @@ fn all_of_them_move_together() {
         assert!(report.drift.position < 1e-6, "{report:?}");
     }
     let residuals = Constrained(&model)
-        .evaluate(mechanism.time, mechanism.state, None, |_, storage, _| {
+        .evaluate(mechanism.time, mechanism.state, None, |_, storage| {
             let rows = storage.rows.iter().flat_map(|rows| rows.iter());
             rows.fold(0.0_f64, |largest, row| largest.max(row.residual.abs()))
         })

@@ -110,7 +110,7 @@ impl<'a> Point<'a> {
         let state = mechanism.retract(&origin, &increment);
         let time = convert(self.time);
         let moved = state.clone();
-        let mut evaluated = Constrained(mechanism).evaluate(time, state, None, |ports, storage, _| {
+        let mut evaluated = Constrained(mechanism).evaluate(time, state, None, |ports, storage| {
             let (place_rates, accelerations) = flatten(&mechanism.collect(ports, &increment));
             let rows = || {
                 let joints = storage.rows.iter().zip(storage.ends.iter());

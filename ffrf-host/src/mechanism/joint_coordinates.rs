@@ -254,7 +254,7 @@ impl System<f64> for JointCoordinates<'_> {
     ) -> Result<HostIncrement, StepError> {
         let relative = self.retract(origin, increment);
         let absolute = self.absolute(&relative);
-        Constrained(self.mechanism).evaluate(time, absolute, None, |ports, _, _| {
+        Constrained(self.mechanism).evaluate(time, absolute, None, |ports, _| {
             let mut rates = increment.clone();
             for branch in &self.branches {
                 let state = &relative[branch.body];

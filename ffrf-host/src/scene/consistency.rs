@@ -23,7 +23,7 @@ pub fn residuals(
     time: f64,
     state: &[State<HostModal>],
 ) -> Result<Vec<Residuals>, StepError> {
-    Constrained(mechanism).evaluate(time, state.to_vec(), None, |ports, storage, _| {
+    Constrained(mechanism).evaluate(time, state.to_vec(), None, |ports, storage| {
         let joints = mechanism.connections().iter().zip(storage.rows.iter().zip(storage.ends.iter()));
         joints
             .map(|(connection, (rows, [first, second]))| {

@@ -36,7 +36,7 @@ const NEW: f64 = 1e-7;
 pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
     let mechanism = &scene.mechanism;
     let joints = |state: &[State<HostModal>]| {
-        Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage, _| {
+        Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage| {
             let joints = storage.rows.iter().zip(storage.ends.iter());
             joints
                 .map(|(rows, [first, second])| {
@@ -98,7 +98,7 @@ fn gradients(
         .zip(state)
         .map(|(body, state)| Cholesky::new(mass_matrix(body, state)))
         .collect();
-    Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage, _| {
+    Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage| {
         let (mut gradients, mut names) = (Vec::new(), Vec::new());
         for (index, connection) in mechanism.connections().iter().enumerate() {
             for (k, row) in storage.rows[index].iter().enumerate() {

@@ -64,7 +64,7 @@ pub(super) fn sample(
         values.extend_from_slice(body.modal_rates.0.as_slice());
     }
     let mechanism = &scene.mechanism;
-    Constrained(mechanism).evaluate(time, state.to_vec(), None, |ports, storage, _| {
+    Constrained(mechanism).evaluate(time, state.to_vec(), None, |ports, storage| {
         for (sensor, angle) in scene.sensors.iter().zip(angles) {
             read(&sensor.kind, mechanism, ports, storage, angle, &mut values);
         }

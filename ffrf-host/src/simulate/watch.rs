@@ -105,7 +105,7 @@ fn values(scene: &Scene, time: f64, state: &States) -> Result<Vec<f64>, StepErro
         return Ok(Vec::new());
     }
     let mechanism = &scene.mechanism;
-    Constrained(mechanism).evaluate(time, state.clone(), None, |ports, storage, _| {
+    Constrained(mechanism).evaluate(time, state.clone(), None, |ports, storage| {
         let mut numbers = Vec::new();
         scene
             .events

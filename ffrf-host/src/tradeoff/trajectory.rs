@@ -86,7 +86,7 @@ fn sample<T: RealField + Copy>(
 ) -> Result<Vec<f64>, StepError> {
     let mut values = Vec::new();
     let at: T = nalgebra::convert(time);
-    Constrained(mechanism).evaluate(at, state.clone(), None, |ports, storage, _| {
+    Constrained(mechanism).evaluate(at, state.clone(), None, |ports, storage| {
         for (channel, angle) in channels.iter().zip(angles) {
             match &channel.source {
                 Source::Sensor(kind) => read_sensor(kind, mechanism, ports, storage, angle, &mut values),
@@ -112,7 +112,7 @@ fn energy<T: RealField + Copy>(exact: &HostMechanism, time: f64, state: &States<
     let exact_state: States<f64> =
         exact.bodies().iter().zip(state).map(|(body, state)| plain_state(body, state)).collect();
     let found = Constrained(exact)
-        .evaluate(time, exact_state.clone(), None, |ports, _, _| total_energy(exact, &exact_state, ports));
+        .evaluate(time, exact_state.clone(), None, |ports, _| total_energy(exact, &exact_state, ports));
     nalgebra::convert(found.unwrap_or(f64::NAN))
 }
 

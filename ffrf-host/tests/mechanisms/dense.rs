@@ -40,7 +40,7 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
     let implicit =
         stage.map(|(gamma_h, increment)| ImplicitTerms { gamma_h, subtracted: Some(increment), chart: None });
     let system = Constrained(mechanism);
-    let found = system.evaluate(time, states.to_vec(), implicit, |ports, storage, _| {
+    let found = system.evaluate(time, states.to_vec(), implicit, |ports, storage| {
         let mut accelerations = DVector::zeros(total);
         for (port, start) in ports.0.iter().zip(&offsets) {
             let own = flat_motion(&port.motion);

@@ -164,7 +164,7 @@ fn drives_supply_the_power_of_the_reactions() {
 /// The joint's axis, and the wrench of joint and drive on the second end.
 fn on_second(case: &Case, found: &Evaluation) -> (Vector3<f64>, Wrench) {
     let system = Constrained(&case.mechanism);
-    let summed = system.evaluate(TIME, case.states.clone(), None, |_, storage, _| {
+    let summed = system.evaluate(TIME, case.states.clone(), None, |_, storage| {
         let mut sum = Wrench::zero();
         for (joint, rows) in storage.rows.iter().enumerate() {
             for (k, row) in rows.iter().enumerate() {

@@ -127,10 +127,9 @@ fn balance(folder: &Path, kind: &str, seed: u64) {
     let names = header(&scene);
     let seen = |sensor: &str| three(&names, samples.last().unwrap(), sensor);
     let states: Vec<_> = ["a", "b"].iter().map(|name| state_of(&summary.end.bodies[*name])).collect();
-    let accelerations =
-        Constrained(&scene.mechanism).evaluate(DURATION, states.clone(), None, |ports, _, _| {
-            ports.0.iter().map(|port| port.motion.clone()).collect::<Vec<_>>()
-        });
+    let accelerations = Constrained(&scene.mechanism).evaluate(DURATION, states.clone(), None, |ports, _| {
+        ports.0.iter().map(|port| port.motion.clone()).collect::<Vec<_>>()
+    });
     let accelerations = accelerations.unwrap();
     let rates = [
         momentum_rates::<3, 9>(&models[0], &states[0], &accelerations[0]),

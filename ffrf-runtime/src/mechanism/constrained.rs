@@ -37,14 +37,14 @@ impl<A> Constrained<'_, A> {
         time: T,
         state: A::State,
         implicit: Option<ImplicitTerms<'_, A::Increment, T>>,
-        read: impl FnOnce(&A::Ports<'_>, &Storage<'_, T>, T) -> R,
+        read: impl FnOnce(&A::Ports<'_>, &Storage<'_, T>) -> R,
     ) -> Result<R, StepError>
     where
         A: Assembly<T>,
         T: RealField + Copy,
     {
         let target = self.0.treatment().target();
-        self.solve(time, state, implicit, target, None, |ports, storage, pivot| read(ports, storage, pivot))
+        self.solve(time, state, implicit, target, None, |ports, storage| read(ports, storage))
     }
 
     /// [`evaluate`](Self::evaluate) for a target, with everything still open for further right-hand sides.
@@ -57,7 +57,7 @@ impl<A> Constrained<'_, A> {
         implicit: Option<ImplicitTerms<'_, A::Increment, T>>,
         target: Target<T>,
         efforts: Option<&[T]>,
-        read: impl FnOnce(&mut A::Ports<'_>, &mut Storage<'_, T>, T) -> R,
+        read: impl FnOnce(&mut A::Ports<'_>, &mut Storage<'_, T>) -> R,
     ) -> Result<R, StepError>
     where
         A: Assembly<T>,
@@ -73,7 +73,7 @@ impl<A> Constrained<'_, A> {
             if let Some(gamma_h) = soft {
                 constraints.soften(assembly, gamma_h);
             }
-            let pivot = constraints.factor()?;
+            constraints.factor()?;
             if let Some(efforts) = efforts {
                 constraints.rub_as(assembly, efforts);
                 constraints.accelerate(target);
@@ -81,7 +81,7 @@ impl<A> Constrained<'_, A> {
                 constraints.accelerate(target);
                 constraints.rub(assembly, target, T::one())?;
             }
-            Ok(read(&mut ports, storage, pivot))
+            Ok(read(&mut ports, storage))
         })
     }
 
@@ -206,7 +206,7 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
         increment: &Self::Increment,
     ) -> Result<Self::Increment, StepError> {
         let state = self.0.retract(origin, increment);
-        self.evaluate(time, state, None, |ports, _, _| self.0.collect(ports, increment))
+        self.evaluate(time, state, None, |ports, _| self.0.collect(ports, increment))
     }
 
     fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
@@ -269,13 +269,13 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
         let target = self.0.treatment().target();
         if subtracted.is_none() || self.0.friction(0).is_none() {
             return self
-                .solve(time, state, implicit, target, None, |ports, _, _| self.0.collect(ports, increment));
+                .solve(time, state, implicit, target, None, |ports, _| self.0.collect(ports, increment));
         }
         // multipliers of what is left after a subtraction are no reactions: those of the whole are found first
         let whole = Some(ImplicitTerms { gamma_h, subtracted: None, chart });
-        self.solve(time, state.clone(), whole, target, None, |_, storage, _| {
+        self.solve(time, state.clone(), whole, target, None, |_, storage| {
             let efforts = Some(&*storage.efforts);
-            self.solve(time, state, implicit, target, efforts, |ports, _, _| self.0.collect(ports, increment))
+            self.solve(time, state, implicit, target, efforts, |ports, _| self.0.collect(ports, increment))
         })?
     }
 }
@@ -300,7 +300,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
             Treatment::StabilisedIndex2 => Target::Velocity { share: gamma_h },
             Treatment::Projection { .. } | Treatment::Baumgarte { .. } => treatment.target(),
         };
-        self.solve(time, state, implicit, target, None, |ports, storage, _| {
+        self.solve(time, state, implicit, target, None, |ports, storage| {
             let accelerations = assembly.velocities_only(&assembly.collect(ports, increment));
             let places = matches!(treatment, Treatment::StabilisedIndex2).then(|| {
                 let mut constraints = constraints(assembly, ports, storage, chart.is_some());

@@ -137,10 +137,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         }
     }
 
-    /// Factors the system in the state that was evaluated. Returns the smallest relative pivot.
+    /// Factors the system in the state that was evaluated.
     ///
     /// Errors: a body or the system has no factors.
-    pub fn factor(&mut self) -> Result<T, StepError> {
+    pub fn factor(&mut self) -> Result<(), StepError> {
         let share = self.regularisation.share;
         let Storage { blocks, shift: shifts, rows, used, soft_markers, .. } = &mut *self.storage;
         if core::mem::replace(used, true) {

@@ -62,16 +62,12 @@ impl<'a> Elimination<'a> {
         self.steps.iter().skip(start).map(|step| step.node)
     }
 
-    /// Factors the matrix in place.
-    ///
-    /// Returns the smallest |pivot| over the largest of its block's diagonal before elimination, the digits lost there.
-    /// `None` if a pivot is zero or not finite.
-    pub(super) fn factor<T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<T> {
-        let mut smallest = T::one();
+    /// Factors the matrix in place. `None` if a pivot is zero or not finite.
+    pub(super) fn factor<T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<()> {
         for node in self.nodes(0..self.steps.len()) {
-            smallest = smallest.min(by_size!(node.factor(blocks))?);
+            by_size!(node.factor(blocks))?;
         }
-        Some(smallest)
+        Some(())
     }
 
     /// The first half of a solve in place, over the nodes from `start` on.

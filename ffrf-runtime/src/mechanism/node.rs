@@ -43,12 +43,12 @@ pub(super) struct Node<'a> {
 }
 
 impl Node<'_> {
-    /// Factors the diagonal block and takes the node out of the later ones; gives the smallest relative pivot.
-    pub(super) fn factor<const N: usize, T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<T> {
+    /// Factors the diagonal block and takes the node out of the later ones.
+    pub(super) fn factor<const N: usize, T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<()> {
         let base = self.step.diagonal + 1 + self.couplings.len();
         let (panel, later) = blocks.split_at_mut_checked(base)?;
         let (diagonal, others) = panel.get_mut(self.step.diagonal..)?.split_first_mut()?;
-        let (inverse, smallest) = match self.step.is_diagonal {
+        let inverse = match self.step.is_diagonal {
             true => invert_diagonal::<N, T>(diagonal)?,
             false => factor_diagonal::<N, T>(diagonal)?,
         };
@@ -83,7 +83,7 @@ impl Node<'_> {
                 _ => subtract::<N, 6, true, T>(target, own, &eliminated),
             }
         }
-        Some(smallest)
+        Some(())
     }
 
     /// L x = b, this node's part.
@@ -136,16 +136,15 @@ impl Node<'_> {
     }
 }
 
-/// L D Lᵀ in place: Lᵀ above the diagonal, D⁻¹ on it; gives D⁻¹ and the smallest relative pivot.
+/// L D Lᵀ in place: Lᵀ above the diagonal, D⁻¹ on it; gives D⁻¹.
 ///
 /// Reads and writes the upper triangle; below it stands nothing.
 #[inline(always)]
-fn factor_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<([T; 6], T)> {
+fn factor_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<[T; 6]> {
     let mut rows = *block;
-    let [mut inverse, mut pivots, mut original] = [[T::one(); 6]; 3];
+    let [mut inverse, mut pivots] = [[T::one(); 6]; 2];
     six_times!(J: { if J < N {
         let row = rows[J];
-        original[J] = block[J][J];
         pivots[J] = row[J];
         inverse[J] = T::one() / row[J];
         let mut upper = scaled(inverse[J], &row);
@@ -153,28 +152,24 @@ fn factor_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -
         upper[J] = inverse[J];
         block[J] = upper;
     } });
-    let (mut smallest, mut sound) = (T::one(), T::zero());
+    let mut sound = T::zero();
     six_times!(J: { if J < N {
         // one, unless a pivot is zero or not finite
         sound += pivots[J] * inverse[J];
-        let share = (pivots[J] / original[J]).abs();
-        if share < smallest {
-            smallest = share;
-        }
     } });
-    if sound.is_finite() { Some((inverse, smallest)) } else { None }
+    sound.is_finite().then_some(inverse)
 }
 
 /// [`factor_diagonal`] of a diagonal matrix, the rest of which is not touched.
 #[inline(always)]
-fn invert_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<([T; 6], T)> {
+fn invert_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<[T; 6]> {
     let (mut inverse, mut sound) = ([T::one(); 6], T::zero());
     six_times!(J: { if J < N {
         inverse[J] = T::one() / block[J][J];
         sound += inverse[J] * block[J][J];
         block[J][J] = inverse[J];
     } });
-    if sound.is_finite() { Some((inverse, T::one())) } else { None }
+    sound.is_finite().then_some(inverse)
 }
 
 /// L⁻¹ times a block.

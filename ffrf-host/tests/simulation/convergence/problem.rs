@@ -74,7 +74,7 @@ pub fn blocks(mechanism: &HostMechanism, state: &[State<HostModal>], time: f64) 
         velocities.extend_from_slice(body.angular_velocity.as_slice());
         velocities.extend_from_slice(body.modal_rates.as_slice());
     }
-    let reactions = Constrained(mechanism).evaluate(time, state.to_vec(), None, |_, storage, _| {
+    let reactions = Constrained(mechanism).evaluate(time, state.to_vec(), None, |_, storage| {
         let joints = mechanism.plan().joints.iter();
         joints.flat_map(|joint| storage.solution[joint.node][..joint.rows].to_vec()).collect()
     });

@@ -26,7 +26,7 @@ pub(super) fn sensors(names: &Names, spec: &Spec) -> TokenStream {
                     time,
                     *state,
                     ::core::option::Option::None,
-                    |ports, storage, _| #value,
+                    |ports, storage| #value,
                 )
             }
         }
