@@ -2,28 +2,20 @@
 //! and joints in the loop.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
+use ffrf_host::HostMechanism;
 use ffrf_host::mechanism::{Element, ElementKind};
-use ffrf_host::{HostMechanism, HostModal};
 use ffrf_runtime::forces::{Bushing, Effort, Friction, Spring, TorsionSpring};
 use ffrf_runtime::joints::{Fixed, JointKind};
 use ffrf_runtime::mechanism::{Assembly, Attachment, Connection, Constrained, Treatment};
 use ffrf_runtime::{
-    FreeBody, GeneralisedAlpha, State, StepError, StepReport, Tolerances, step_dormand_prince,
-    step_linearly_implicit, step_linearly_implicit_euler,
+    FreeBody, GeneralisedAlpha, State, Tolerances, step_dormand_prince, step_linearly_implicit,
+    step_linearly_implicit_euler,
 };
 use nalgebra::Vector3;
 
-use crate::convergence::problem::{Blocks, blocks, differences, double_pendulum, on};
-
-type States = Vec<State<HostModal>>;
-
-const PROJECTION: Treatment<f64> = Treatment::Projection { iterations: 8, tolerance: 1e-9 };
-
-/// Units: s.
-const DURATION: f64 = 0.4;
-
-/// Deviation of a measured order from the theoretical one: the next power still shows.
-const SLOPE: f64 = 0.35;
+use crate::convergence::problem::{
+    Blocks, DURATION, PROJECTION, SLOPE, States, differences, double_pendulum, on, run,
+};
 
 /// The pivot of the pendulum's upper body, on the ground.
 fn ground() -> Attachment<f64> {
@@ -61,17 +53,6 @@ fn pendulum(treatment: Treatment<f64>, resistance: [f64; 2]) -> (HostMechanism, 
     let (mechanism, states) = double_pendulum(treatment, true);
     let elements = elements(&mechanism, &states, resistance);
     (mechanism.with_elements(elements), states)
-}
-
-type Stepper<'a> = dyn FnMut(&States, f64, f64) -> Result<(States, StepReport), StepError> + 'a;
-
-fn run(mechanism: &HostMechanism, mut state: States, steps: usize, step: &mut Stepper<'_>) -> Blocks {
-    let h = DURATION / steps as f64;
-    for k in 0..steps {
-        state =
-            step(&state, k as f64 * h, h).unwrap_or_else(|error| panic!("step {k} of {steps}: {error}")).0;
-    }
-    blocks(mechanism, &state, DURATION)
 }
 
 /// Places, velocities and reactions converge to those of explicit steps of order five with this order.

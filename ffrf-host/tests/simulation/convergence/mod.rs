@@ -6,37 +6,14 @@ pub mod problem;
 
 use std::sync::OnceLock;
 
+use ffrf_host::HostMechanism;
 use ffrf_host::mechanism::JointCoordinates;
-use ffrf_host::{HostMechanism, HostModal};
 use ffrf_runtime::mechanism::{Constrained, Treatment};
 use ffrf_runtime::{
-    EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, Tolerances, step_dormand_prince,
-    step_linearly_implicit, step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
+    EnergyMomentum, GeneralisedAlpha, Tolerances, step_dormand_prince, step_linearly_implicit,
+    step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
 };
-use problem::{Blocks, blocks, differences, double_pendulum};
-
-type States = Vec<State<HostModal>>;
-
-/// Simulated time: some turns of the slow modes, so that errors of phase show. Units: s.
-const DURATION: f64 = 0.4;
-
-/// Deviation of a measured order from the theoretical one: the next power still shows, 0.29 at order five.
-const SLOPE: f64 = 0.35;
-
-const PROJECTION: Treatment<f64> = Treatment::Projection { iterations: 8, tolerance: 1e-9 };
-
-/// A method that may remember something from step to step.
-type Stepper<'a> = dyn FnMut(&States, f64, f64) -> Result<(States, StepReport), StepError> + 'a;
-
-/// The end of a run of `steps` equal steps.
-fn run(mechanism: &HostMechanism, mut state: States, steps: usize, step: &mut Stepper<'_>) -> Blocks {
-    let h = DURATION / steps as f64;
-    for k in 0..steps {
-        state =
-            step(&state, k as f64 * h, h).unwrap_or_else(|error| panic!("step {k} of {steps}: {error}")).0;
-    }
-    blocks(mechanism, &state, DURATION)
-}
+use problem::{Blocks, DURATION, PROJECTION, SLOPE, States, blocks, differences, double_pendulum, run};
 
 /// The end by steps of order five that make its error negligible: below 1e-12 by its own convergence.
 fn reference() -> &'static Blocks {
