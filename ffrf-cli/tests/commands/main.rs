@@ -12,6 +12,7 @@ mod program;
 mod reference_cases;
 mod simulate;
 mod simulate_outputs;
+mod stiffening;
 mod tradeoff;
 mod view;
 mod workbench;
