@@ -1,18 +1,27 @@
 //! `ffrf reduce`: finite-element files to a reduced body.
 
+use std::path::Path;
+
 use anyhow::{Context, Result};
-use ffrf_fe::Nodes;
 use ffrf_fe::import::{read_square_matrix, source_file};
 use ffrf_fe::reduction::{Damping, MODE_SHAPES, MarkerRequest, ReductionOptions, reduce};
+use ffrf_fe::{FeModel, ModeBasis, Nodes};
+use ffrf_host::picture::Shape;
 use ffrf_model::ReducedBody;
 
-use crate::animation::skin;
+use crate::animation::{body_glb, skin};
 use crate::arguments::{MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
-use crate::{component_modes, describe, fe_input, modes, output, stiffening, stress};
+use crate::{component_modes, describe, fe_input, modes, output, stiffening, stress, view};
 
 /// Runs the command.
 pub fn run(arguments: &Reduce) -> Result<()> {
+    if let Some(target) = &arguments.view {
+        view::expect_ending(target, view::ENDINGS)?;
+    }
+    if let Some(target) = &arguments.sheet {
+        view::expect_ending(target, &[".svg"])?;
+    }
     let mut model = fe_input::read(&arguments.files)?;
     let say = |text: &str| output::say_beside(&arguments.output, text);
     say(&format!("{}\n", fe_input::describe(&model)))?;
@@ -21,9 +30,10 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     }
     let mut options = options(arguments, &model.nodes)?;
     if !arguments.interfaces.interfaces.is_empty() {
-        let (body, text) =
+        let (body, basis, text) =
             modes::with_progress(|progress| component_modes::reduce(&model, arguments, &options, progress))?;
         say(&format!("{text}\n"))?;
+        draw(arguments, &model, &basis, &body)?;
         return finish(arguments, &body);
     }
     let solution = modes::solve(&model, &arguments.choice, None, arguments.files.conversion())?;
@@ -49,17 +59,40 @@ pub fn run(arguments: &Reduce) -> Result<()> {
     let conversion = arguments.files.conversion();
     stiffening::add(&mut body, &model, &solution.basis, &support, &arguments.stiffening, conversion)?;
     stress::add(&mut body, &model, &solution.basis, arguments)?;
-    if let Some(target) = &arguments.surface {
-        let surface = skin(&model, &solution.basis)?;
-        output::write_bytes(target, &surface.encode()?)?;
-        say(&format!(
-            "surface: {} points, {} triangles; written: {}\n",
-            surface.0.points.len(),
-            surface.0.triangles.len(),
-            target.display()
-        ))?;
-    }
+    draw(arguments, &model, &solution.basis, &body)?;
     finish(arguments, &body)
+}
+
+/// Writes the pictures that are asked for.
+fn draw(arguments: &Reduce, model: &FeModel, basis: &ModeBasis, body: &ReducedBody) -> Result<()> {
+    let wanted = [&arguments.surface, &arguments.view, &arguments.sheet];
+    if wanted.iter().all(|target| target.is_none()) {
+        return Ok(());
+    }
+    let surface = skin(model, basis)?;
+    let said = |target: &Path| {
+        let Shape { points, triangles, .. } = &surface.0;
+        let text = format!(
+            "surface of {} points, {} triangles; written: {}\n",
+            points.len(),
+            triangles.len(),
+            target.display()
+        );
+        output::say_beside(&arguments.output, &text)
+    };
+    if let Some(target) = &arguments.surface {
+        output::write_bytes(target, &surface.encode()?)?;
+        said(target)?;
+    }
+    if let Some(target) = &arguments.view {
+        view::write(target, &body.title, &body_glb(body, &surface.0))?;
+        said(target)?;
+    }
+    if let Some(target) = &arguments.sheet {
+        output::write(Some(target), &view::draw_sheet(body, &surface.0)?)?;
+        said(target)?;
+    }
+    Ok(())
 }
 
 /// Checks, writes and describes the body.

@@ -17,7 +17,7 @@ use crate::animation::{Show, Surface};
 use crate::arguments::Simulate;
 use crate::progress::ShareTeller;
 use crate::results::{Columns, Format};
-use crate::{animation, output, plots};
+use crate::{animation, output, plots, view};
 
 /// Runs the command.
 pub fn run(arguments: &Simulate) -> Result<()> {
@@ -32,10 +32,8 @@ pub fn run(arguments: &Simulate) -> Result<()> {
     if let Some(plot) = &arguments.plot {
         plots::refuse_other_pictures(plot)?;
     }
-    if let Some(target) =
-        arguments.animation.as_ref().filter(|target| !target.to_string_lossy().ends_with(".glb"))
-    {
-        anyhow::bail!("{}: expected the name of an animation that ends in .glb", target.display());
+    if let Some(target) = &arguments.animation {
+        view::expect_ending(target, view::ENDINGS)?;
     }
     let surfaces = read_surfaces(&scene, path, arguments.animation.is_some())?;
     let saved = arguments.load_state.as_deref().map(read_state).transpose()?;
@@ -61,17 +59,17 @@ pub fn run(arguments: &Simulate) -> Result<()> {
     let written = |target: &Path, report: &mut String| {
         let _ = writeln!(report, "written: {}", target.display());
     };
+    let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     if let Some(target) = &arguments.plot {
         let times: Vec<f64> = columns.column(0).collect();
-        let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let picture = plots::draw_histories(&title, "time / s", &times, &panels::panels(&scene, &columns))?;
         output::write(Some(target), &picture)?;
         written(target, &mut report);
     }
     if let Some(target) = &arguments.animation {
         let show = Show { playback: arguments.playback, deformation: arguments.deformation_scale };
-        let (bytes, line) = animation::glb(&scene, &columns, &surfaces, show)?;
-        output::write_bytes(target, &bytes)?;
+        let (bytes, line) = animation::glb(&title, &scene, &columns, &surfaces, show)?;
+        view::write(target, &title, &bytes)?;
         let _ = writeln!(report, "animation: {line}");
         written(target, &mut report);
     }
