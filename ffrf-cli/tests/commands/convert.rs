@@ -1,4 +1,5 @@
 //! `ffrf convert`: a body to MBDyn's modal data and back.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use serde_json::Value;
 

@@ -1,4 +1,5 @@
 //! `ffrf reduce` of meshes, whose mass and stiffness it assembles, and of Nastran's decks and punch files.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::path::Path;
 

@@ -1,4 +1,5 @@
 //! `ffrf reduce` of a blade with `--geometric-stiffness`, `--stress` and `--damping-bands`, and what the other commands say of it.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::fmt::Write as _;
 

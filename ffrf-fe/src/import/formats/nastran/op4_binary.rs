@@ -141,7 +141,7 @@ impl Column<'_, '_> {
         let count = words / number;
         let bytes = self.record.bytes.get(from..).and_then(|bytes| bytes.get(..4 * words));
         let is_inside = count <= self.header.rows && row <= self.header.rows + 1 - count.max(1);
-        let (Some(bytes), true) = (bytes, is_inside && words % number == 0) else {
+        let (Some(bytes), true) = (bytes, is_inside && words.is_multiple_of(number)) else {
             let text = format!("rows from 1 to {} in column {}", self.header.rows, self.column);
             return Err(binary(self.source, self.place, &text));
         };
