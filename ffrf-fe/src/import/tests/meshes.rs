@@ -126,7 +126,12 @@ fn nodes_without_solids_are_left_out_and_volumes_in_two_groups_come_once() {
 #[test]
 fn what_cannot_be_read_is_named_with_its_line() {
     let change = |from: &str, to: &str| TETRAHEDRON.replace(from, to);
+    let parametric = LEGACY.replace("Nodes\n", "ParametricNodes\n");
     let cases = [
+        (
+            parametric,
+            "p.msh:4: the section `$ParametricNodes` is not supported here: save the mesh with Mesh.Save",
+        ),
         (change("4.1 0 8", "4 0 8"), "p.msh:2: expected version 4.1 or 2.2"),
         (change("4.1 0 8", "4.1 1 8"), "p.msh:2: expected an ASCII file"),
         (

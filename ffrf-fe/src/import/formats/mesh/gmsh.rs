@@ -59,12 +59,11 @@ impl<'a> Reader<'a> {
                 "Nodes" => self.nodes()?,
                 "Elements" => self.elements()?,
                 "PartitionedEntities" => {
-                    return Err(ImportError::Unsupported {
-                        path: self.source.path().to_path_buf(),
-                        line: self.source.line_of(place),
-                        feature: "a partitioned mesh".to_owned(),
-                        advice: "save it without partitions",
-                    });
+                    return Err(self.unsupported(place, "a partitioned mesh", "save it without partitions"));
+                }
+                "ParametricNodes" => {
+                    let advice = "save the mesh with Mesh.SaveParametric = 0";
+                    return Err(self.unsupported(place, "the section `$ParametricNodes`", advice));
                 }
                 _ => {
                     self.skip(place, name)?;
@@ -74,6 +73,15 @@ impl<'a> Reader<'a> {
             self.end(name)?;
         }
         Ok(())
+    }
+
+    fn unsupported(&self, place: usize, feature: &str, advice: &'static str) -> ImportError {
+        ImportError::Unsupported {
+            path: self.source.path().to_path_buf(),
+            line: self.source.line_of(place),
+            feature: feature.to_owned(),
+            advice,
+        }
     }
 
     /// The start of the next section: its place and name.
@@ -351,12 +359,8 @@ impl<'a> Reader<'a> {
             return Err(self.source.expected(place, "the number of an element type, 1 to 31"));
         };
         if let Shape::Unknown(advice) = kind.shape {
-            return Err(ImportError::Unsupported {
-                path: self.source.path().to_path_buf(),
-                line: self.source.line_of(place),
-                feature: format!("element type {number}, a solid of {} nodes,", kind.nodes),
-                advice,
-            });
+            let feature = format!("element type {number}, a solid of {} nodes,", kind.nodes);
+            return Err(self.unsupported(place, &feature, advice));
         }
         Ok(kind)
     }
