@@ -195,7 +195,40 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 port.subtract_compliance(rows, columns, block);
             }
         }
+        self.place_kept_modes();
+        let blocks = &mut *self.storage.blocks;
         self.plan.elimination.factor(blocks).ok_or(StepError::MassNotPositive)
+    }
+
+    /// Sets the blocks of modes that bodies keep as unknowns.
+    fn place_kept_modes(&mut self) {
+        let blocks = &mut *self.storage.blocks;
+        for place in self.plan.modes {
+            let Some(port) = self.ports.port(place.body) else { continue };
+            if let Some(block) = blocks.get_mut(place.diagonal) {
+                port.modal_mass(place.first, place.first, block);
+            }
+            if let Some(block) = blocks.get_mut(place.frame.index) {
+                port.modal_coupling(place.first, block);
+                if place.frame.transposed {
+                    *block = transposed(block);
+                }
+            }
+        }
+        for place in self.plan.modal_pairs {
+            if let (Some(port), Some(block)) = (self.ports.port(place.body), blocks.get_mut(place.block)) {
+                port.modal_mass(place.rows, place.columns, block);
+            }
+        }
+        for place in self.plan.modal_ends {
+            let Some(port) = self.ports.port(place.body) else { continue };
+            if let Some(block) = blocks.get_mut(place.block.index) {
+                port.modal_rows(place.slot, place.first, block);
+                if place.block.transposed {
+                    *block = transposed(block);
+                }
+            }
+        }
     }
 
     /// Accelerations of every body and multipliers, in the factored state.
@@ -206,6 +239,12 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             let Some(port) = self.ports.port_mut(index) else { continue };
             if let Some(right) = self.storage.right.get_mut(place.node) {
                 *right = port.reduced_force();
+            }
+        }
+        for place in self.plan.modes {
+            let Some(port) = self.ports.port(place.body) else { continue };
+            if let Some(right) = self.storage.right.get_mut(place.node) {
+                *right = port.modal_force(place.first);
             }
         }
         let joints = self.plan.joints.iter().zip(self.connections);
@@ -320,6 +359,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         for (index, place) in self.plan.bodies.iter().enumerate() {
             if let (Some(port), Some(rigid)) = (self.ports.port_mut(index), solution.get(place.node)) {
                 port.finish(rigid);
+            }
+        }
+        for place in self.plan.modes {
+            if let (Some(port), Some(modal)) = (self.ports.port_mut(place.body), solution.get(place.node)) {
+                port.finish_modes(place.first, modal);
             }
         }
         for place in self.plan.joints {
