@@ -24,6 +24,9 @@ pub struct Regularisation<T = f64> {
     pub refinements: usize,
 }
 
+/// The share of a residual that μ may leave in one correction, times the condition number of the rows.
+const NEGLIGIBLE: f64 = 1e-8;
+
 impl<T: RealField + Copy> Regularisation<T> {
     /// For mechanisms whose joints close loops: 1e-9 and two refinements in double precision, 1e-3 and three in single.
     ///
@@ -48,6 +51,13 @@ impl<T: RealField + Copy> Regularisation<T> {
         };
         let share = T::default_epsilon() / self.share;
         squares(change) <= share * share * squares(solution)
+    }
+
+    /// Refinements of corrections of places and velocities, which are repeated until their residuals are small: none, unless
+    /// μ leaves more than digits that a correction does not have.
+    fn refinements_of_corrections(&self) -> usize {
+        let negligible: T = nalgebra::convert(NEGLIGIBLE);
+        if self.share > negligible { self.refinements } else { 0 }
     }
 
     /// For trees, whose rows are never redundant: nothing is added, nothing to refine.
@@ -286,7 +296,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         {
             pull_soft_rows(places, rows, ends, soft_markers, self.ports, right);
         }
-        self.solve();
+        self.solve(self.regularisation.refinements);
     }
 
     /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
@@ -325,10 +335,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 Level::Velocity => scaled(-T::one(), &rows.velocities(ends)),
             };
         }
-        self.solve();
+        self.solve(self.regularisation.refinements_of_corrections());
     }
 
-    fn solve(&mut self) {
+    fn solve(&mut self, refinements: usize) {
         let Storage { blocks, solution, right, shift, .. } = &mut *self.storage;
         let elimination = &self.plan.elimination;
         let (leading, all) = (elimination.leading, elimination.steps.len());
@@ -336,7 +346,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         elimination.solve_forwards(0, blocks, solution);
         elimination.solve_backwards(leading..all, blocks, solution);
         // what μ makes the rows leave over, again and again: multipliers are negative here
-        for refinement in 0..self.regularisation.refinements {
+        for refinement in 0..refinements {
             for (node, (right, solution)) in right.iter_mut().zip(solution.iter()).enumerate() {
                 let last = if refinement == 0 { solution } else { &*right };
                 *right = match shift.get(node) {
@@ -374,6 +384,32 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 }
             }
         }
+    }
+
+    /// Adds the resulting change of velocities to those of the joints' ends, which are where they were; their biases stay
+    /// behind.
+    pub(super) fn follow_velocities(&mut self) {
+        for (connection, ends) in self.connections.iter().zip(self.storage.ends.iter_mut()) {
+            for (attachment, end) in [&connection.first, &connection.second].into_iter().zip(ends) {
+                let Some(port) = attachment.body.and_then(|body| self.ports.port(body)) else { continue };
+                let [linear, angular] = port.resulting_twist(attachment.marker);
+                end.velocity += linear;
+                end.angular_velocity += angular;
+            }
+        }
+    }
+
+    /// Residuals of positions and of velocities that no correction makes smaller: the round-off of what they are
+    /// differences of.
+    pub(super) fn round_off(&self) -> [T; 2] {
+        let mut largest = [T::one(); 2];
+        for end in self.storage.ends.iter().take(self.connections.len()).flatten() {
+            let velocities = end.velocity.iter().chain(end.angular_velocity.iter());
+            largest[0] = end.position.iter().fold(largest[0], |largest, entry| largest.max(entry.abs()));
+            largest[1] = velocities.fold(largest[1], |largest, entry| largest.max(entry.abs()));
+        }
+        let [least, share]: [T; 2] = [16.0, 2.0].map(|units| T::default_epsilon() * nalgebra::convert(units));
+        largest.map(|largest| least.max(share * largest))
     }
 
     /// The largest residual of positions and of velocities, and the joint with the largest position residual.
