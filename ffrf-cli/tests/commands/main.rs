@@ -3,6 +3,7 @@
 mod bad_input;
 mod doors;
 mod exports;
+mod fmu;
 mod inspect;
 mod linearise;
 mod outputs;
