@@ -7,8 +7,11 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
-use ffrf_host::scene::Scene;
-use ffrf_host::simulate::{Progress, SavedState, SceneCheck, Summary, check, header, simulate};
+use ffrf_host::analysis::largest_explicit_step;
+use ffrf_host::scene::{Scene, StepChoice};
+use ffrf_host::simulate::{
+    Progress, SavedState, SceneCheck, SimulationError, Summary, check, header, simulate,
+};
 
 use crate::animation::{Show, Surface};
 use crate::arguments::Simulate;
@@ -50,7 +53,8 @@ pub fn run(arguments: &Simulate) -> Result<()> {
         |Progress { time, share, steps }| teller.tell(share, &format!("t = {time:.4} s, {steps} steps")),
     );
     teller.end();
-    let summary = result.with_context(|| format!("{}", path.display()))?;
+    let summary =
+        result.map_err(|error| explain(&scene, error)).with_context(|| format!("{}", path.display()))?;
     let mut report = describe(&summary, begin.elapsed(), scene.settings.duration);
     let written = |target: &Path, report: &mut String| {
         let _ = writeln!(report, "written: {}", target.display());
@@ -79,6 +83,25 @@ pub fn run(arguments: &Simulate) -> Result<()> {
         output::write(Some(target), &format!("{state}\n"))?;
     }
     Ok(())
+}
+
+/// What an explicit step that was refused could have been, by everything that is stiff in the scene.
+fn explain(scene: &Scene, error: SimulationError) -> anyhow::Error {
+    let StepChoice::Fixed(step) = scene.settings.step else { return error.into() };
+    if !matches!(error, SimulationError::Step { .. }) {
+        return error.into();
+    }
+    let limit = scene.assembled().ok().and_then(|(state, _)| {
+        largest_explicit_step(scene, 0.0, &state, scene.settings.integrator).ok().flatten()
+    });
+    match limit {
+        Some(limit) if limit < step => anyhow::anyhow!(
+            "{error}\nmodes, joints and force elements together allow `{}` steps of at most {limit:.3e} s about the initial \
+             state, the scene has {step:.3e} s",
+            scene.settings.integrator.name()
+        ),
+        _ => error.into(),
+    }
 }
 
 /// The surfaces that a scene names, of each body; none are read unless they are shown.
