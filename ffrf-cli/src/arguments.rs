@@ -3,6 +3,7 @@
 mod budget;
 mod code;
 mod convert;
+mod export;
 mod interfaces;
 mod linearise;
 mod simulate;
@@ -21,6 +22,7 @@ use ffrf_model::Units;
 pub use budget::{Budget, Core, TargetIntegrator, TargetScalar};
 pub use code::{Generate, Inspect};
 pub use convert::Convert;
+pub use export::{Export, ExportFmu, ExportFormat, FmiVersion};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
@@ -62,6 +64,8 @@ pub enum Command {
     /// Simulate a mechanism from a scene file, without a compiler.
     #[command(after_help = SIMULATE_EXAMPLE)]
     Simulate(Simulate),
+    /// Export a scene for other tools.
+    Export(Export),
     /// Linearise a mechanism: state of rest, A, B, C, D, eigenfrequencies and damping, frequency response.
     #[command(visible_alias = "linearize", after_help = LINEARISE_EXAMPLE)]
     Linearise(Linearise),

@@ -14,6 +14,7 @@ mod component_modes;
 mod convert;
 mod describe;
 mod evaluate;
+mod export;
 mod fe_input;
 mod generate;
 mod inspect;
@@ -63,6 +64,7 @@ pub fn run() -> ExitCode {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
         Command::Linearise(arguments) => linearise::run(&arguments),
         Command::Campbell(arguments) => campbell::run(&arguments),
         Command::Budget(arguments) => budget::run(&arguments),

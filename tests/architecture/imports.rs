@@ -31,7 +31,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         (
             "ffrf-cli",
             entry(
-                &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model"],
+                &["ffrf-codegen", "ffrf-fe", "ffrf-fmu", "ffrf-host", "ffrf-model"],
                 &[
                     "anyhow",
                     "base64",
@@ -53,6 +53,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
                 &["faer", "nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
+        ("ffrf-fmu", entry(&["ffrf-host"], &["sha2", "thiserror"])),
         (
             "ffrf-test-kit",
             entry(

@@ -187,6 +187,13 @@ impl<T: RealField + Copy> HostMechanism<T> {
         self
     }
 
+    /// Lets an actuator follow another input from now on; nothing happens if there is none of that number.
+    pub fn set_actuator_input(&mut self, actuator: usize, input: Drive) {
+        if let Some(actuator) = self.actuators.get_mut(actuator) {
+            actuator.input = input;
+        }
+    }
+
     /// The same mechanism with friction that follows the reactions of joints.
     #[must_use]
     pub fn with_frictions(mut self, frictions: Vec<JointFriction<T>>) -> Self {
