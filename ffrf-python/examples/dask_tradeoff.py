@@ -20,29 +20,18 @@ import ffrf
 from distributed import Client, LocalCluster, as_completed
 
 
-def restore(pickled: bytes) -> ffrf.Study:
-    """The study, on a worker: read once there, and shared by its runs."""
-    study = pickle.loads(pickled)
-    assert isinstance(study, ffrf.Study)
-    return study
-
-
-def run(study: ffrf.Study, configuration: ffrf.Configuration) -> ffrf.Outcome:
-    """One run, on a worker."""
-    return study.run(configuration)
-
-
 def spread(
     client: Client, sweep: ffrf.Sweep, configurations: Sequence[ffrf.Configuration]
 ) -> list[ffrf.Outcome]:
     """Run on the cluster what the folder of the sweep does not hold yet, and keep each outcome as soon as it is there.
 
     A worker that dies takes only its runs in flight with it: the scheduler gives them to others, and so it does with the study,
-    which is the result of a task and no data scattered once.
+    which is the result of a task and no data scattered once. Workers import nothing but the package.
     """
     missing = sweep.missing(configurations)
-    study = client.submit(restore, pickle.dumps(sweep.study), pure=False)
-    runs = [client.submit(run, study, one, pure=False) for one in missing]
+    # read once by each worker, and shared by its runs
+    study = client.submit(pickle.loads, pickle.dumps(sweep.study), pure=False)
+    runs = [client.submit(ffrf.Study.run, study, one, pure=False) for one in missing]
     for done in as_completed(runs):
         sweep.keep(done.result())
         # the cluster need not remember it
