@@ -11,6 +11,7 @@ mod arguments;
 mod budget;
 mod campbell;
 mod component_modes;
+mod convert;
 mod describe;
 mod evaluate;
 mod fe_input;
@@ -56,6 +57,7 @@ pub fn run() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Reduce(arguments) => reduce::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),

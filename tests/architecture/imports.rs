@@ -20,7 +20,10 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         ("ffrf-model", entry(&[], &["serde", "serde_json", "serde_path_to_error", "thiserror"])),
         (
             "ffrf-fe",
-            entry(&["ffrf-model"], &["faer", "fast-float2", "flate2", "npyz", "sha2", "thiserror", "zip"]),
+            entry(
+                &["ffrf-model"],
+                &["faer", "fast-float2", "flate2", "npyz", "quick-xml", "sha2", "thiserror", "zip"],
+            ),
         ),
         ("ffrf-codegen", entry(&["ffrf-model"], &["proc-macro2", "thiserror"])),
         ("ffrf-macros", entry(&["ffrf-codegen", "ffrf-model"], &["proc-macro2", "quote", "syn"])),
