@@ -180,7 +180,7 @@ pub struct FeFiles {
     pub mesh: Option<PathBuf>,
     /// Density, Young's modulus and Poisson's ratio of the solids of the mesh, in the units of the mesh.
     #[arg(long, value_name = "RHO,E,NU", value_parser = parse_material, requires = "mesh", allow_hyphen_values = true,
-          conflicts_with_all = ["mass", "stiffness", "elastic"])]
+          conflicts_with_all = ["mass", "stiffness", "elastic", "nodes", "abaqus", "calculix", "nastran", "ansys"])]
     pub material: Option<Material>,
     /// Node table, one line `x y z` per node (text or NumPy); nodes are numbered from 0.
     #[arg(long, value_name = "X.txt")]

@@ -13,6 +13,7 @@ use ffrf_runtime::{
 use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
 
 use super::plan::{OwnedPlan, keeping};
+use super::ports::{HostPort, HostPorts};
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
@@ -292,23 +293,6 @@ impl<T: RealField + Copy> HostMechanism<T> {
     /// Gravity. Shape: 3. Units: m/s². Frame: inertial.
     pub fn gravity(&self) -> Vector3<T> {
         self.gravity
-    }
-}
-
-/// The bodies of a mechanism in one state.
-pub struct HostPorts<'a, T: RealField + Copy = f64>(pub Vec<HostPort<'a, T>>);
-
-/// One body of a mechanism in one state.
-pub type HostPort<'a, T = f64> =
-    BodyPort<'a, HostBody<T>, Vec<AttachedRows<HostModal<T>, T>>, T, Option<KeptModes<HostModal<T>, T>>>;
-
-impl<T: RealField + Copy> Ports<T> for HostPorts<'_, T> {
-    fn port(&self, index: usize) -> Option<&dyn Port<T>> {
-        self.0.get(index).map(|port| port as &dyn Port<T>)
-    }
-
-    fn port_mut(&mut self, index: usize) -> Option<&mut dyn Port<T>> {
-        self.0.get_mut(index).map(|port| port as &mut dyn Port<T>)
     }
 }
 
