@@ -3,7 +3,7 @@
 use ffrf_codegen::mechanism::{JointTopology, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
     Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, KeptModes, Level, Plan, Port,
-    Ports, Regularisation, SoftLink, Storage, Treatment,
+    Regularisation, SoftLink, Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
 use ffrf_runtime::{
@@ -13,7 +13,7 @@ use ffrf_runtime::{
 use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
 
 use super::plan::{OwnedPlan, keeping};
-use super::ports::{HostPort, HostPorts};
+use super::ports::HostPorts;
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
