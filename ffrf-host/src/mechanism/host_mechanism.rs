@@ -3,7 +3,7 @@
 use ffrf_codegen::mechanism::{JointTopology, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
     Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, KeptModes, Level, Plan, Port,
-    Ports, Regularisation, SoftLink, Storage, Treatment,
+    Regularisation, SoftLink, Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
 use ffrf_runtime::{
@@ -13,6 +13,7 @@ use ffrf_runtime::{
 use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
 
 use super::plan::{OwnedPlan, keeping};
+use super::ports::HostPorts;
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
@@ -183,6 +184,13 @@ impl<T: RealField + Copy> HostMechanism<T> {
         self
     }
 
+    /// Lets an actuator follow another input from now on; nothing happens if there is none of that number.
+    pub fn set_actuator_input(&mut self, actuator: usize, input: Drive) {
+        if let Some(actuator) = self.actuators.get_mut(actuator) {
+            actuator.input = input;
+        }
+    }
+
     /// The same mechanism with friction that follows the reactions of joints.
     #[must_use]
     pub fn with_frictions(mut self, frictions: Vec<JointFriction<T>>) -> Self {
@@ -281,23 +289,6 @@ impl<T: RealField + Copy> HostMechanism<T> {
     /// Gravity. Shape: 3. Units: m/s². Frame: inertial.
     pub fn gravity(&self) -> Vector3<T> {
         self.gravity
-    }
-}
-
-/// The bodies of a mechanism in one state.
-pub struct HostPorts<'a, T: RealField + Copy = f64>(pub Vec<HostPort<'a, T>>);
-
-/// One body of a mechanism in one state.
-pub type HostPort<'a, T = f64> =
-    BodyPort<'a, HostBody<T>, Vec<AttachedRows<HostModal<T>, T>>, T, Option<KeptModes<HostModal<T>, T>>>;
-
-impl<T: RealField + Copy> Ports<T> for HostPorts<'_, T> {
-    fn port(&self, index: usize) -> Option<&dyn Port<T>> {
-        self.0.get(index).map(|port| port as &dyn Port<T>)
-    }
-
-    fn port_mut(&mut self, index: usize) -> Option<&mut dyn Port<T>> {
-        self.0.get_mut(index).map(|port| port as &mut dyn Port<T>)
     }
 }
 
