@@ -1,6 +1,6 @@
 //! A mechanism whose bodies, joints and forces come at run time.
 
-use ffrf_codegen::mechanism::{JointTopology, MechanismPlan, Topology, TopologyError};
+use ffrf_codegen::mechanism::{JointTopology, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
     Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, KeptModes, Level, Plan, Port,
     Regularisation, SoftLink, Storage, Treatment,
@@ -64,14 +64,14 @@ impl HostMechanism {
             rows: joint.kind.row_count(),
             ends: [joint.first.body, joint.second.body],
         };
-        let flexible: Vec<bool> = bodies.iter().map(|(body, _)| body.mode_count() > 0).collect();
+        let modes: Vec<usize> = bodies.iter().map(|(body, _)| body.mode_count()).collect();
+        let flexible: Vec<bool> = modes.iter().map(|modes| *modes > 0).collect();
         let topology = Topology {
             flexible: flexible.clone(),
             joints: joints.iter().map(|(joint, _)| shape(joint)).collect(),
         };
-        let modes: Vec<usize> = bodies.iter().map(|(body, _)| body.mode_count()).collect();
         let (keeping, kept) = keeping(&topology, &modes);
-        let plan = OwnedPlan::with_modes(&MechanismPlan::keeping_modes(&topology, &keeping)?, &kept);
+        let plan = OwnedPlan::of(&topology, &keeping, &kept)?;
         // redundant rows need loops, which a drive beside its joint does not close
         let undriven = joints.iter().filter(|(_, drive)| drive.is_none());
         let undriven = Topology { flexible, joints: undriven.map(|(joint, _)| shape(joint)).collect() };
@@ -170,13 +170,9 @@ impl<T: RealField + Copy> HostMechanism<T> {
         // soft rows too are many on a hub: one choice for steps with them and without
         let modes: Vec<usize> = self.bodies.iter().map(HostBody::mode_count).collect();
         let (keeping, kept) = keeping(&whole, &modes);
-        let plan_of = |topology| {
-            Some(OwnedPlan::with_modes(&MechanismPlan::keeping_modes(topology, &keeping).ok()?, &kept))
-        };
-        if let Some(plan) = plan_of(&self.topology) {
-            self.plan = plan;
-        }
-        self.soft = plan_of(&whole).filter(|_| !numbers.is_empty()).map(|plan| (plan, numbers));
+        self.plan = OwnedPlan::of(&self.topology, &keeping, &kept).unwrap_or(self.plan);
+        let soft = OwnedPlan::of(&whole, &keeping, &kept).ok();
+        self.soft = soft.filter(|_| !numbers.is_empty()).map(|plan| (plan, numbers));
         self.keeping = keeping;
         self
     }

@@ -1,6 +1,6 @@
 //! The generator's plan of a mechanism in the runtime's types.
 
-use ffrf_codegen::mechanism::{BlockPlace, Hub, MechanismPlan, Topology};
+use ffrf_codegen::mechanism::{BlockPlace, Hub, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
     Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, ModalEndPlace, ModalPairPlace, ModesPlace,
     Plan, PlanLists, SharedPlace, Step, Unexpanded, keeps_modes,
@@ -38,11 +38,11 @@ pub(super) struct OwnedPlan {
 }
 
 impl OwnedPlan {
-    /// The plan in which the bodies that keep their modes have these numbers of them.
-    pub(super) fn with_modes(plan: &MechanismPlan, modes: &[usize]) -> Self {
-        let mut plan = Self::new(plan);
+    /// The plan in which the bodies `keeping` keep their modes, so many.
+    pub(super) fn of(topology: &Topology, keeping: &[usize], modes: &[usize]) -> Result<Self, TopologyError> {
+        let mut plan = Self::new(&MechanismPlan::keeping_modes(topology, keeping)?);
         if modes.is_empty() {
-            return plan;
+            return Ok(plan);
         }
         let old = plan.clone();
         let unexpanded = Unexpanded { plan: old.view(), modes };
@@ -72,7 +72,7 @@ impl OwnedPlan {
                 modal_pairs: &mut plan.modal_pairs,
             },
         );
-        plan
+        Ok(plan)
     }
 
     fn new(plan: &MechanismPlan) -> Self {

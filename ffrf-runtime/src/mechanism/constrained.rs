@@ -262,6 +262,13 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
     }
 }
 
+/// Friction at a state, from that of a stage of half the length and that of the whole one: to second order where modes are
+/// resolved, at most twice as much where they are not, and never in the direction of the motion.
+fn extrapolated<T: RealField + Copy>(near: T, far: T) -> T {
+    let effort = near + (near - far);
+    if effort * near > T::zero() { effort } else { T::zero() }
+}
+
 impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> {
     fn implicit_rates(
         &self,
@@ -275,15 +282,24 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
         let chart = self.0.soft(0).map(|_| increment);
         let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
         let target = self.0.treatment().target();
-        if subtracted.is_none() || self.0.friction(0).is_none() {
+        if self.0.friction(0).is_none() {
             return self
                 .solve(time, state, implicit, target, None, |ports, _| self.0.collect(ports, increment));
         }
-        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first
-        let whole = Some(ImplicitTerms { gamma_h, subtracted: None, chart });
-        self.solve(time, state.clone(), whole, target, None, |_, storage| {
-            let efforts = Some(&*storage.efforts);
-            self.solve(time, state, implicit, target, efforts, |ports, _| self.0.collect(ports, increment))
+        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first, of this
+        // stage and of one half as long, which tells them at the state itself
+        let whole = |gamma_h| Some(ImplicitTerms { gamma_h, subtracted: None, chart });
+        let half: T = nalgebra::convert(0.5);
+        self.solve(time, state.clone(), whole(gamma_h), target, None, |_, far| {
+            self.solve(time, state.clone(), whole(gamma_h * half), target, None, |_, near| {
+                for (near, far) in near.efforts.iter_mut().zip(far.efforts.iter()) {
+                    *near = extrapolated(*near, *far);
+                }
+                let efforts = Some(&*near.efforts);
+                self.solve(time, state, implicit, target, efforts, |ports, _| {
+                    self.0.collect(ports, increment)
+                })
+            })?
         })?
     }
 }
