@@ -4,9 +4,10 @@ use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
 use ffrf_codegen::ScalarType;
-use ffrf_host::scene::Integrator;
+use ffrf_host::scene::{Integrator, StepChoice};
 use ffrf_host::tradeoff::{
-    Finding, Pilot, Plan, PlanOptions, Reference, ReferenceOptions, Study, plan, run as run_one,
+    Finding, Pilot, Plan, PlanOptions, PlanWithin, Reference, ReferenceOptions, StepBudget, Study, plan,
+    plan_within, run as run_one,
 };
 
 use crate::arguments;
@@ -21,21 +22,43 @@ pub fn run(arguments: &arguments::Plan) -> Result<()> {
     let path = &arguments.scene;
     let in_scene = || format!("{}", path.display());
     let study = Study::read(path).with_context(in_scene)?;
-    let options = PlanOptions {
-        error: arguments.error,
-        quantities: arguments.quantity.clone(),
-        integrators: arguments.integrator.clone().unwrap_or_else(|| INTEGRATORS.to_vec()),
-        scalars: arguments.scalar.clone().unwrap_or_else(|| vec![ScalarType::F64, ScalarType::F32]),
-    };
-    let found = plan(&study, &options).with_context(in_scene)?;
     let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let mut text = describe(&study, &title, &found, arguments.error);
+    let quantities = arguments.quantity.clone();
+    let integrators = arguments.integrator.clone().unwrap_or_else(|| INTEGRATORS.to_vec());
+    let scalars = arguments.scalar.clone().unwrap_or_else(|| vec![ScalarType::F64, ScalarType::F32]);
+    let mut text;
+    let (configuration, predicted, budget, tolerance);
+    match (arguments.error, arguments.time_per_step.zip(arguments.operations_per_second)) {
+        (Some(error), _) => {
+            let options = PlanOptions { error, quantities: quantities.clone(), integrators, scalars };
+            let found = plan(&study, &options).with_context(in_scene)?;
+            text = describe(&study, &title, &found, error);
+            (predicted, budget, tolerance) = (found.predicted_error, error, found.reference.tolerance);
+            configuration = found.configuration;
+        }
+        (None, Some((time, rate))) => {
+            let step = match (arguments.step, study.settings().step) {
+                (Some(step), _) | (None, StepChoice::Fixed(step)) => step,
+                (None, StepChoice::Tolerance(_)) => {
+                    anyhow::bail!("{}: --step is needed: the step of the scene is free", path.display())
+                }
+            };
+            let operations = time * rate;
+            let budget_of_step =
+                StepBudget { step, operations, quantities: quantities.clone(), integrators, scalars };
+            let found = plan_within(&study, &budget_of_step).with_context(in_scene)?;
+            text = describe_within(&study, &title, &found, &budget_of_step, [time, rate]);
+            (predicted, budget, tolerance) = (found.error, found.error, found.reference.tolerance);
+            configuration = found.best.configuration;
+        }
+        (None, None) => anyhow::bail!("expected --error, or --time-per-step with --operations-per-second"),
+    }
     if arguments.measure {
-        let tolerance = TIGHTER * found.reference.tolerance;
-        let reference = Reference::compute(&study, &options.quantities, ReferenceOptions { tolerance })
-            .with_context(in_scene)?;
-        let variant = study.variant(found.configuration.modes, &found.configuration.fidelity)?;
-        let outcome = run_one(&study, &variant, &reference, &found.configuration);
+        let tolerance = TIGHTER * tolerance;
+        let reference =
+            Reference::compute(&study, &quantities, ReferenceOptions { tolerance }).with_context(in_scene)?;
+        let variant = study.variant(configuration.modes, &configuration.fidelity)?;
+        let outcome = run_one(&study, &variant, &reference, &configuration);
         text.push_str("\nmeasured\n");
         match outcome.finding {
             Finding::Failed(reason) => {
@@ -47,8 +70,8 @@ pub fn run(arguments: &arguments::Plan) -> Result<()> {
                     text,
                     "  error {error:.2e}: {:.2} of the budget, {:.2} of what was predicted; own error of its reference {:.1e}\n  \
                      {:.3e} operations and {:.2e} s of this machine per simulated second",
-                    error / arguments.error,
-                    error / found.predicted_error,
+                    error / budget,
+                    error / predicted,
                     reference.own_error(),
                     measured.operations_per_second(),
                     measured.time
@@ -57,6 +80,41 @@ pub fn run(arguments: &arguments::Plan) -> Result<()> {
         }
     }
     output::write(arguments.output.as_deref(), &text)
+}
+
+/// What was chosen for a time per step, and everything that there was time for.
+fn describe_within(
+    study: &Study,
+    title: &str,
+    found: &PlanWithin,
+    budget: &StepBudget,
+    [time, rate]: [f64; 2],
+) -> String {
+    let one = &found.best.configuration;
+    let mut text = format!(
+        "plan for `{title}` with steps of {:e} s that take at most {time:e} s at {rate:.3e} operations per second: {:.3e} \
+         operations\n\n{} modes, {}, {}, {}\nerror {:.2e} in a run of the scene\ncost, of compiled code and estimated: {:.3e} \
+         operations, about {:.1e} instructions, per step: {:.0} % of what there is time for\n\n{}",
+        budget.step,
+        budget.operations,
+        one.modes,
+        one.fidelity,
+        one.scalar.name(),
+        one.integrator.name(),
+        found.error,
+        found.best.operations,
+        INSTRUCTIONS_PER_OPERATION * found.best.operations,
+        100.0 * found.best.operations / budget.operations,
+        describe_reference(&found.reference)
+    );
+    text.push_str(
+        "\nfor each kind of model the most modes that there is time for, and that the step is stable with\n",
+    );
+    for one in &found.tried {
+        let _ = writeln!(text, "  {}", one.describe());
+    }
+    let _ = writeln!(text, "\n{}", study.macro_calls(title, one).trim_end());
+    text
 }
 
 /// One method for what is not stiff and its fellow of higher order, and two that take stiff modes implicitly.
