@@ -3,6 +3,7 @@
 mod budget;
 mod code;
 mod convert;
+mod export;
 mod interfaces;
 mod linearise;
 mod simulate;
@@ -21,11 +22,12 @@ use ffrf_model::Units;
 pub use budget::{Budget, Core, TargetIntegrator, TargetScalar};
 pub use code::{Generate, Inspect};
 pub use convert::Convert;
+pub use export::{Export, ExportFmu, ExportFormat, FmiVersion};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
 pub use stiffening::StiffeningChoice;
-pub use tradeoff::{Plan, Tradeoff};
+pub use tradeoff::{Plan, Tradeoff, parse_fidelity, parse_integrator, parse_scalar};
 pub use view::View;
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.
@@ -62,6 +64,8 @@ pub enum Command {
     /// Simulate a mechanism from a scene file, without a compiler.
     #[command(after_help = SIMULATE_EXAMPLE)]
     Simulate(Simulate),
+    /// Export a scene for other tools.
+    Export(Export),
     /// Linearise a mechanism: state of rest, A, B, C, D, eigenfrequencies and damping, frequency response.
     #[command(visible_alias = "linearize", after_help = LINEARISE_EXAMPLE)]
     Linearise(Linearise),
@@ -176,7 +180,7 @@ pub struct FeFiles {
     pub mesh: Option<PathBuf>,
     /// Density, Young's modulus and Poisson's ratio of the solids of the mesh, in the units of the mesh.
     #[arg(long, value_name = "RHO,E,NU", value_parser = parse_material, requires = "mesh", allow_hyphen_values = true,
-          conflicts_with_all = ["mass", "stiffness", "elastic"])]
+          conflicts_with_all = ["mass", "stiffness", "elastic", "nodes", "abaqus", "calculix", "nastran", "ansys"])]
     pub material: Option<Material>,
     /// Node table, one line `x y z` per node (text or NumPy); nodes are numbered from 0.
     #[arg(long, value_name = "X.txt")]

@@ -10,7 +10,6 @@ use ffrf_fe::{FeModel, Nodes};
 use ffrf_model::{Units, printable};
 
 use crate::arguments::FeFiles;
-use crate::output;
 
 impl FeFiles {
     /// File name of the node table, without its folder and extension.
@@ -48,8 +47,8 @@ impl FeFiles {
     }
 }
 
-/// Reads and checks the model, and converts it if that is asked for. Remarks go to standard error.
-pub fn read(files: &FeFiles) -> Result<FeModel> {
+/// Reads and checks the model, and converts it if that is asked for. Remarks go to `warn`, each with its line's end.
+pub fn read(files: &FeFiles, warn: &mut dyn FnMut(&str)) -> Result<FeModel> {
     let options = ImportOptions {
         mass_form: files.mass_form,
         allow_massless: files.allow_massless,
@@ -63,7 +62,7 @@ pub fn read(files: &FeFiles) -> Result<FeModel> {
     };
     let Import { mut model, notes } = read_model_with(&files, &options)?;
     for note in &notes {
-        output::complain(&format!("{note}\n"));
+        warn(&format!("{note}\n"));
     }
     if let Some(conversion) = conversion {
         conversion.model(&mut model);
@@ -71,10 +70,15 @@ pub fn read(files: &FeFiles) -> Result<FeModel> {
     Ok(model)
 }
 
-/// Warns on standard error of numbers that no solid has in the units of the body.
-pub fn warn_of_units(model: &FeModel, units: Option<Units>, frequency: Option<f64>) {
+/// Warns of numbers that no solid has in the units of the body.
+pub fn warn_of_units(
+    model: &FeModel,
+    units: Option<Units>,
+    frequency: Option<f64>,
+    warn: &mut dyn FnMut(&str),
+) {
     for remark in implausible(model, units, frequency) {
-        output::complain(&format!("warning: {remark}\n"));
+        warn(&format!("warning: {remark}\n"));
     }
 }
 

@@ -14,17 +14,19 @@ mod component_modes;
 mod convert;
 mod describe;
 mod evaluate;
+mod export;
 mod fe_input;
 mod generate;
 mod inspect;
 mod linearise;
 mod modes;
 mod output;
-mod plan;
+pub mod plan;
+mod plan_within;
 mod plots;
 mod progress;
-mod reduce;
-mod report;
+pub mod reduce;
+pub mod report;
 mod results;
 mod sample_states;
 mod simulate;
@@ -32,7 +34,7 @@ mod states;
 mod stiffening;
 mod stress;
 mod trade_text;
-mod tradeoff;
+pub mod tradeoff;
 mod verify;
 mod view;
 
@@ -63,6 +65,7 @@ pub fn run() -> ExitCode {
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
         Command::Linearise(arguments) => linearise::run(&arguments),
         Command::Campbell(arguments) => campbell::run(&arguments),
         Command::Budget(arguments) => budget::run(&arguments),

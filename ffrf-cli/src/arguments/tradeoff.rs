@@ -76,16 +76,19 @@ pub struct Plan {
     pub output: Option<PathBuf>,
 }
 
-fn parse_fidelity(text: &str) -> Result<Fidelity, String> {
+/// A level, or terms separated by commas.
+pub fn parse_fidelity(text: &str) -> Result<Fidelity, String> {
     text.trim().parse().map_err(|error: ffrf_codegen::fidelity::FidelityError| error.to_string())
 }
 
-fn parse_scalar(text: &str) -> Result<ScalarType, String> {
+/// The name of a number type.
+pub fn parse_scalar(text: &str) -> Result<ScalarType, String> {
     let found = ScalarType::from_name(text.trim()).filter(|scalar| *scalar != ScalarType::Generic);
     found.ok_or_else(|| "expected f64 or f32".to_owned())
 }
 
-fn parse_integrator(text: &str) -> Result<Integrator, String> {
+/// The name of an integrator, as in scene files.
+pub fn parse_integrator(text: &str) -> Result<Integrator, String> {
     let found = Integrator::ALL.iter().find(|(name, _)| *name == text.trim());
     let known = || Integrator::ALL.map(|(name, _)| name).join(", ");
     found.map(|(_, integrator)| *integrator).ok_or_else(|| format!("expected one of {}", known()))

@@ -4,6 +4,7 @@ mod bad_input;
 mod convert;
 mod doors;
 mod exports;
+mod fmu;
 mod inspect;
 mod linearise;
 mod meshes;

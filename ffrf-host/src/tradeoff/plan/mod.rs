@@ -33,6 +33,18 @@ pub struct PlanOptions {
     pub scalars: Vec<ScalarType>,
 }
 
+/// One method for what is not stiff and its fellow of higher order, and two that take stiff modes implicitly.
+const INTEGRATORS: [Integrator; 4] =
+    [Integrator::Rk4, Integrator::Dopri5, Integrator::LinearlyImplicit, Integrator::GeneralizedAlpha];
+
+impl PlanOptions {
+    /// What is usual for an error that is allowed: every sensor, four integrators, both number types.
+    pub fn usual(error: f64) -> Self {
+        let scalars = vec![ScalarType::F64, ScalarType::F32];
+        Self { error, quantities: Vec::new(), integrators: INTEGRATORS.to_vec(), scalars }
+    }
+}
+
 /// A configuration for a budget, with what it rests on.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
