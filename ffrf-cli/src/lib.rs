@@ -22,6 +22,7 @@ mod linearise;
 mod modes;
 mod output;
 pub mod plan;
+mod plan_within;
 mod plots;
 mod progress;
 pub mod reduce;

@@ -10,8 +10,8 @@ use ffrf_host::tradeoff::{
 };
 
 use crate::arguments;
-use crate::output;
 use crate::trade_text::describe_reference;
+use crate::{output, plan_within};
 
 /// The tolerance of the reference of a measurement over that of the plan.
 const TIGHTER: f64 = 0.1;
@@ -30,7 +30,8 @@ pub struct Planned {
 
 /// Runs the command.
 pub fn run(arguments: &arguments::Plan) -> Result<()> {
-    let usual = PlanOptions::usual(arguments.error);
+    let Some(error) = arguments.error else { return plan_within::run(arguments) };
+    let usual = PlanOptions::usual(error);
     let options = PlanOptions {
         quantities: arguments.quantity.clone(),
         integrators: arguments.integrator.clone().unwrap_or(usual.integrators),

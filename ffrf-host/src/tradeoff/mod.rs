@@ -29,7 +29,10 @@ pub use cost::StaticCost;
 pub use error::TradeoffError;
 pub use front::front;
 pub use outcome::{Finding, INSTRUCTIONS_PER_OPERATION, Measured, Outcome, run};
-pub use plan::{Candidate, Choice, ModeUse, Motion, Pilot, Plan, PlanOptions, TermUse, plan};
+pub use plan::{
+    Affordable, Candidate, Choice, ModeUse, Motion, Pilot, Plan, PlanOptions, PlanWithin, StepBudget,
+    TermUse, plan, plan_within,
+};
 pub use reference::{Reference, ReferenceOptions};
 pub use study::{Study, Variant};
 pub use sweep::{Done, sweep};
