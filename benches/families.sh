@@ -26,6 +26,7 @@ instructions() { # name: those of a hundred steps less those of none, by the hun
     echo "$(uname -m); $(rustc -V). Command: \`benches/families.sh${1:+ $*}\`. The connecting rod in tumbling flight, one binary,"
     echo "RK4 with steps of 10 µs over 20 ms; error: how far a point half a metre off is misplaced, over that half metre, against"
     echo "eight modes, every term, f64 and an eighth of the step. Instructions of one step: callgrind."
+    [ "$rounds" = 1 ] || echo "Times: the least of $rounds rounds of 200 steps, on a machine that others use as well (load $(cut -d' ' -f1 /proc/loadavg))."
     echo
     "$program" "$rounds" | while IFS= read -r line; do
         case $line in

@@ -7,6 +7,7 @@ mod linearise;
 mod simulate;
 mod stiffening;
 mod tradeoff;
+mod view;
 
 use std::path::PathBuf;
 
@@ -22,6 +23,7 @@ pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
 pub use stiffening::StiffeningChoice;
 pub use tradeoff::{Plan, Tradeoff, parse_fidelity, parse_integrator, parse_scalar};
+pub use view::View;
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.
 #[derive(Debug, Parser)]
@@ -69,7 +71,15 @@ pub enum Command {
     /// Choose modes, terms, scalar, integrator and step of a scene for an error that is allowed, and say why.
     #[command(after_help = PLAN_EXAMPLE)]
     Plan(Plan),
+    /// Show a body with its modes and markers, or a motion, in a browser.
+    #[command(after_help = VIEW_EXAMPLE)]
+    View(View),
 }
+
+const VIEW_EXAMPLE: &str = "\
+Examples:
+  ffrf view rod.ffrf.json --surface rod.npz -o rod.html --sheet rod_modes.svg
+  ffrf simulate slider_crank.toml -o run.csv --animation run.glb && ffrf view run.glb -o run.html";
 
 const BUDGET_EXAMPLE: &str = "\
 Examples:
@@ -246,8 +256,14 @@ pub struct Reduce {
     pub stress: Vec<MarkerArgument>,
     /// Write the surface with the displacements of the modes to this file, for animations (.npz); see `ffrf simulate
     /// --animation`.
-    #[arg(long, value_name = "SURFACE.npz", conflicts_with = "interfaces")]
+    #[arg(long, value_name = "SURFACE.npz")]
     pub surface: Option<PathBuf>,
+    /// Show the part with its modes and markers in one page for a browser (.html), or as a model (.glb). Needs elements.
+    #[arg(long, value_name = "PART.html")]
+    pub view: Option<PathBuf>,
+    /// Draw the modes side by side (.svg), for documents. Needs elements.
+    #[arg(long, value_name = "MODES.svg")]
+    pub sheet: Option<PathBuf>,
     /// A line for people (default: name of the node file).
     #[arg(long)]
     pub title: Option<String>,

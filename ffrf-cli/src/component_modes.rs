@@ -1,7 +1,6 @@
 //! `ffrf reduce --interface ...`: a body with component modes.
 
 use anyhow::{Context, Result, bail};
-use ffrf_fe::FeModel;
 use ffrf_fe::component_modes::{
     BasisForm, ComponentModes, ComponentRequest, Interface, ModeSelection, StaticLoad, TransferPoint,
     area_weights, component_modes, reduce_component_modes, transfer_functions,
@@ -9,18 +8,19 @@ use ffrf_fe::component_modes::{
 use ffrf_fe::geometric_stiffness::PrestressSupport;
 use ffrf_fe::modes::Progress;
 use ffrf_fe::reduction::ReductionOptions;
+use ffrf_fe::{FeModel, ModeBasis};
 use ffrf_model::ReducedBody;
 
 use crate::arguments::{CouplingArgument, InterfaceArgument, InterfaceChoice, Reduce};
 use crate::{plots, stiffening, stress};
 
-/// The body, and what there is to say about its modes.
+/// The body, its basis, and what there is to say about its modes.
 pub fn reduce(
     model: &FeModel,
     arguments: &Reduce,
     options: &ReductionOptions,
     progress: &mut dyn FnMut(Progress),
-) -> Result<(ReducedBody, String)> {
+) -> Result<(ReducedBody, ModeBasis, String)> {
     let choice = &arguments.interfaces;
     let Some(normal_modes) = arguments.choice.modes else {
         bail!("--interface needs --modes, the number of normal modes of its basis (0 for none)");
@@ -46,7 +46,7 @@ pub fn reduce(
     let conversion = arguments.files.conversion();
     stiffening::add(&mut body, model, &modes.basis, &support, &arguments.stiffening, conversion)?;
     stress::add(&mut body, model, &modes.basis, arguments)?;
-    Ok((body, text))
+    Ok((body, modes.basis, text))
 }
 
 fn request(model: &FeModel, choice: &InterfaceChoice, normal_modes: usize) -> Result<ComponentRequest> {

@@ -33,6 +33,7 @@ mod stress;
 mod trade_text;
 pub mod tradeoff;
 mod verify;
+mod view;
 
 use std::process::ExitCode;
 
@@ -65,6 +66,7 @@ pub fn run() -> ExitCode {
         Command::Budget(arguments) => budget::run(&arguments),
         Command::Plan(arguments) => plan::run(&arguments),
         Command::Tradeoff(arguments) => tradeoff::run(&arguments),
+        Command::View(arguments) => view::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -8,14 +8,15 @@ use clap::Parser;
 use ffrf_fe::import::{read_square_matrix, source_file};
 pub use ffrf_fe::modes::Progress;
 use ffrf_fe::reduction::{Damping, MODE_SHAPES, MarkerRequest, ReductionOptions, reduce};
-use ffrf_fe::{FeModel, Nodes};
+use ffrf_fe::{FeModel, ModeBasis, Nodes};
+use ffrf_host::picture::Shape;
 use ffrf_model::{CheckReport, ReducedBody};
 
-use crate::animation::skin;
+use crate::animation::{body_glb, skin};
 use crate::arguments::{Arguments, Command, MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
 use crate::progress::Teller;
-use crate::{component_modes, describe, fe_input, modes, output, stiffening, stress};
+use crate::{component_modes, describe, fe_input, modes, output, stiffening, stress, view};
 
 /// Hears what a reduction has to say; each text is a line or more, with their ends.
 pub trait Listener {
@@ -80,32 +81,39 @@ fn usage(error: &clap::Error) -> String {
 
 /// The body that is asked for, and its checks, which it passes.
 fn reduced(arguments: &Reduce, listener: &mut dyn Listener) -> Result<(ReducedBody, CheckReport)> {
+    if let Some(target) = &arguments.view {
+        view::expect_ending(target, view::ENDINGS)?;
+    }
+    if let Some(target) = &arguments.sheet {
+        view::expect_ending(target, &[".svg"])?;
+    }
     let mut model = fe_input::read(&arguments.files, &mut |text| listener.warn(text))?;
     listener.say(&format!("{}\n", fe_input::describe(&model)))?;
     if let Some(remark) = arguments.files.body_units().and_then(fe_input::remark_on_time) {
         listener.say(&format!("{remark}\n"))?;
     }
     let mut options = options(arguments, &model.nodes)?;
-    let body = if arguments.interfaces.interfaces.is_empty() {
+    let (body, basis) = if arguments.interfaces.interfaces.is_empty() {
         with_eigenmodes(arguments, &mut model, &mut options, listener)?
     } else {
         let progress = &mut |progress| listener.progress(progress);
-        let (body, text) = component_modes::reduce(&model, arguments, &options, progress)?;
+        let (body, basis, text) = component_modes::reduce(&model, arguments, &options, progress)?;
         listener.say(&format!("{text}\n"))?;
-        body
+        (body, basis)
     };
+    draw(arguments, &model, &basis, &body, listener)?;
     let checks = body.check()?;
     checks.verdict()?;
     Ok((body, checks))
 }
 
-/// The body with eigenmodes or the user's mode shapes.
+/// The body with eigenmodes or the user's mode shapes, and its basis.
 fn with_eigenmodes(
     arguments: &Reduce,
     model: &mut FeModel,
     options: &mut ReductionOptions,
     listener: &mut dyn Listener,
-) -> Result<ReducedBody> {
+) -> Result<(ReducedBody, ModeBasis)> {
     let conversion = arguments.files.conversion();
     let progress = &mut |progress| listener.progress(progress);
     let solution = modes::solve(model, &arguments.choice, None, conversion, progress)?;
@@ -130,17 +138,45 @@ fn with_eigenmodes(
     let support = stiffening::support(model, &arguments.choice)?;
     stiffening::add(&mut body, model, &solution.basis, &support, &arguments.stiffening, conversion)?;
     stress::add(&mut body, model, &solution.basis, arguments)?;
-    if let Some(target) = &arguments.surface {
-        let surface = skin(model, &solution.basis)?;
-        output::write_bytes(target, &surface.encode()?)?;
-        listener.say(&format!(
-            "surface: {} points, {} triangles; written: {}\n",
-            surface.0.points.len(),
-            surface.0.triangles.len(),
-            target.display()
-        ))?;
+    Ok((body, solution.basis))
+}
+
+/// Writes the pictures that are asked for.
+fn draw(
+    arguments: &Reduce,
+    model: &FeModel,
+    basis: &ModeBasis,
+    body: &ReducedBody,
+    listener: &mut dyn Listener,
+) -> Result<()> {
+    let wanted = [&arguments.surface, &arguments.view, &arguments.sheet];
+    if wanted.iter().all(|target| target.is_none()) {
+        return Ok(());
     }
-    Ok(body)
+    let surface = skin(model, basis)?;
+    let mut said = |target: &Path| {
+        let Shape { points, triangles, .. } = &surface.0;
+        let text = format!(
+            "surface of {} points, {} triangles; written: {}\n",
+            points.len(),
+            triangles.len(),
+            target.display()
+        );
+        listener.say(&text)
+    };
+    if let Some(target) = &arguments.surface {
+        output::write_bytes(target, &surface.encode()?)?;
+        said(target)?;
+    }
+    if let Some(target) = &arguments.view {
+        view::write(target, &body.title, &body_glb(body, &surface.0))?;
+        said(target)?;
+    }
+    if let Some(target) = &arguments.sheet {
+        output::write(Some(target), &view::draw_sheet(body, &surface.0)?)?;
+        said(target)?;
+    }
+    Ok(())
 }
 
 fn options(arguments: &Reduce, nodes: &Nodes) -> Result<ReductionOptions> {

@@ -27,10 +27,22 @@ pub fn euler_parameters<T: RealField + Copy>(orientation: &UnitQuaternion<T>) ->
 
 /// The orientation of Euler parameters [θ0, θ1, θ2, θ3], scalar first, scaled to unit norm.
 ///
-/// `None` if they are not finite or too close to zero to have a direction. Panics: never.
+/// Parameters of any size have a direction, as long as they are finite and not all zero: else `None`. Panics: never.
 pub fn from_euler_parameters<T: RealField + Copy>(parameters: [T; 4]) -> Option<UnitQuaternion<T>> {
     let [scalar, i, j, k] = parameters;
-    normalised(Quaternion::new(scalar, i, j, k)).map(|(orientation, _)| orientation)
+    let quaternion = Quaternion::new(scalar, i, j, k);
+    let small = T::default_epsilon();
+    let norm = quaternion.norm_squared();
+    if norm > small * small && norm * small * small < T::one() {
+        return normalised(quaternion);
+    }
+    // squares of these would lose digits, or leave the number type
+    let size = quaternion.coords.amax();
+    if size > T::zero() && parameters.iter().all(|parameter| parameter.is_finite()) {
+        normalised(quaternion / size)
+    } else {
+        None
+    }
 }
 
 /// Rate of the quaternion, θ̇ = ½ θ ⊗ [0, ω], with ω in the body frame. Shape: 4. Units: 1/s. Panics: never.
@@ -114,15 +126,11 @@ pub fn cayley_omega<T: RealField + Copy>(rotation: &Vector3<T>, rate: &Vector3<T
     (rate - half.cross(rate)) / (T::one() + half.norm_squared())
 }
 
-/// The unit quaternion in the direction of `quaternion`, and the norm it had; `None` without a direction.
-pub(crate) fn normalised<T: RealField + Copy>(quaternion: Quaternion<T>) -> Option<(UnitQuaternion<T>, T)> {
+/// The unit quaternion in the direction of `quaternion`; `None` without a direction.
+fn normalised<T: RealField + Copy>(quaternion: Quaternion<T>) -> Option<UnitQuaternion<T>> {
     let norm = quaternion.norm();
     // a NaN fails this comparison as well
-    if norm > T::default_epsilon() && norm.is_finite() {
-        Some((UnitQuaternion::new_unchecked(quaternion / norm), norm))
-    } else {
-        None
-    }
+    (norm > T::zero() && norm.is_finite()).then(|| UnitQuaternion::new_unchecked(quaternion / norm))
 }
 
 #[cfg(test)]
@@ -162,6 +170,15 @@ mod tests {
         assert_eq!(from_euler_parameters([0.0; 4]), None);
         assert_eq!(from_euler_parameters([1.0, f64::NAN, 0.0, 0.0]), None);
         assert_eq!(from_euler_parameters([f64::INFINITY, 0.0, 0.0, 0.0]), None);
+        assert_eq!(from_euler_parameters([f64::MAX, f64::NAN, 0.0, 0.0]), None);
+    }
+
+    #[test]
+    fn parameters_of_any_size_have_a_direction() {
+        let unit = from_euler_parameters([0.5, -0.5, 0.5, 0.5]);
+        for size in [f64::MAX, 1e200, 1e-17, 1e-200, f64::MIN_POSITIVE] {
+            assert_eq!(from_euler_parameters([size, -size, size, size]), unit, "{size:e}");
+        }
     }
 
     fn array(quaternion: Quaternion<f64>) -> [f64; 4] {

@@ -29,7 +29,18 @@ fn law() -> BTreeMap<&'static str, Allowed> {
             "ffrf-cli",
             entry(
                 &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model"],
-                &["anyhow", "clap", "indicatif", "npyz", "plotters", "serde", "serde_json", "zip"],
+                &[
+                    "anyhow",
+                    "base64",
+                    "clap",
+                    "indicatif",
+                    "npyz",
+                    "plotters",
+                    "png",
+                    "serde",
+                    "serde_json",
+                    "zip",
+                ],
             ),
         ),
         (

@@ -3,11 +3,10 @@
 //! Source: Khronos Group, glTF 2.0 Specification (2021): 3.6 (buffers), 3.7 (meshes, morph targets), 3.11 (animations), 4
 //! (binary form).
 
-use ffrf_host::picture::Shape;
-use ffrf_host::scene::Scene;
+use ffrf_host::picture::{NamedPoint, Shape};
 use serde_json::{Value, json};
 
-use super::frames::Frames;
+use super::frames::BodyFrames;
 
 /// Types of components.
 const FLOAT: u32 = 5126;
@@ -26,80 +25,119 @@ const COLOURS: [[f32; 3]; 6] = [
     [0.79, 0.35, 0.01],
 ];
 
-/// The bytes of a `.glb` file.
-pub(super) fn write(scene: &Scene, shapes: &[Shape], frames: &Frames, deformation: f64) -> Vec<u8> {
-    let mut buffer = Buffer::default();
-    let times = buffer.numbers(&frames.times, 1, None, true);
-    let (mut meshes, mut nodes, mut materials) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut samplers, mut channels) = (Vec::new(), Vec::new());
-    for (index, (shape, moved)) in shapes.iter().zip(&frames.bodies).enumerate() {
-        let name = scene.body_names.get(index).map_or("", String::as_str);
-        let [red, green, blue] = COLOURS[index % COLOURS.len()];
-        materials.push(json!({
-            "name": name,
-            "doubleSided": true,
-            "pbrMetallicRoughness": {"baseColorFactor": [red, green, blue, 1.0], "metallicFactor": 0.1, "roughnessFactor": 0.6},
-        }));
-        meshes.push(mesh(&mut buffer, name, shape, index, deformation));
-        let first = |list: &[[f32; 3]]| list.first().copied().unwrap_or_default();
-        let turned = moved.orientations.first().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]);
-        nodes.push(json!({
-            "name": name, "mesh": index, "translation": first(&moved.positions), "rotation": turned,
-        }));
-        let mut animate = |path: &str, output: usize| {
-            channels.push(json!({"sampler": samplers.len(), "target": {"node": index, "path": path}}));
-            samplers.push(json!({"input": times, "output": output, "interpolation": "LINEAR"}));
-        };
-        animate("translation", buffer.numbers(moved.positions.as_flattened(), 3, None, false));
-        animate("rotation", buffer.numbers(moved.orientations.as_flattened(), 4, None, false));
-        if !shape.modes.is_empty() {
-            animate("weights", buffer.numbers(&moved.weights, 1, None, false));
-        }
-    }
-    // glTF's y axis points up; here up is against gravity, else z
-    let gravity = scene.mechanism.gravity();
-    let upright = gravity.y.abs() > gravity.z.abs();
-    let children: Vec<usize> = (0..nodes.len()).collect();
-    let half = std::f64::consts::FRAC_1_SQRT_2;
-    let turn = if upright { [0.0, 0.0, 0.0, 1.0] } else { [-half, 0.0, 0.0, half] };
-    let root = nodes.len();
-    nodes.push(json!({"name": "scene", "children": children, "rotation": turn}));
-    let document = json!({
-        "asset": {"version": "2.0", "generator": "ffrf"},
-        "scene": 0,
-        "scenes": [{"nodes": [root]}],
-        "nodes": nodes,
-        "meshes": meshes,
-        "materials": materials,
-        "animations": [{"name": "simulation", "samplers": samplers, "channels": channels}],
-        "accessors": buffer.accessors,
-        "bufferViews": buffer.views,
-        "buffers": [{"byteLength": buffer.bytes.len()}],
-    });
-    binary(&document, buffer.bytes)
+/// One body of a file.
+pub(super) struct Part<'a> {
+    pub(super) name: &'a str,
+    pub(super) shape: &'a Shape,
+    /// What each mode is called.
+    pub(super) mode_names: Vec<String>,
+    /// Named points with their displacements by each mode.
+    pub(super) markers: &'a [NamedPoint],
+    /// How it moves, if it does.
+    pub(super) motion: Option<&'a BodyFrames>,
 }
 
-fn mesh(buffer: &mut Buffer, name: &str, shape: &Shape, material: usize, deformation: f64) -> Value {
-    let scaled = |points: &[[f64; 3]], factor: f64| -> Vec<f32> {
-        points.iter().flatten().map(|x| (factor * x) as f32).collect()
-    };
-    let points = buffer.numbers(&scaled(&shape.points, 1.0), 3, Some(VERTICES), true);
-    let indices = buffer.indices(shape.triangles.as_flattened());
-    let mut primitive =
-        json!({"attributes": {"POSITION": points}, "indices": indices, "material": material, "mode": 4});
-    let mut mesh = json!({"name": name});
-    if !shape.modes.is_empty() {
-        let targets: Vec<Value> = shape
-            .modes
-            .iter()
-            .map(|mode| json!({"POSITION": buffer.numbers(&scaled(mode, deformation), 3, Some(VERTICES), true)}))
-            .collect();
-        mesh["weights"] = json!(vec![0.0; targets.len()]);
-        mesh["extras"] = json!({"targetNames": (1..=targets.len()).map(|mode| format!("mode {mode}")).collect::<Vec<_>>()});
-        primitive["targets"] = json!(targets);
+/// What is said of a whole file.
+pub(super) struct Document<'a> {
+    pub(super) title: &'a str,
+    pub(super) parts: Vec<Part<'a>>,
+    /// Times of the frames, if parts move. Units: s.
+    pub(super) times: &'a [f32],
+    /// Simulated time that passes in one second of the animation.
+    pub(super) pace: f64,
+    /// Is y up, not z? In the file y always is.
+    pub(super) y_is_up: bool,
+    /// Factor of the drawn deformation.
+    pub(super) deformation: f64,
+}
+
+impl Document<'_> {
+    /// The bytes of a `.glb` file.
+    pub(super) fn bytes(&self) -> Vec<u8> {
+        let mut buffer = Buffer::default();
+        let times = (!self.times.is_empty()).then(|| buffer.numbers(self.times, 1, None, true));
+        let (mut meshes, mut nodes, mut materials) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut samplers, mut channels) = (Vec::new(), Vec::new());
+        for (index, part) in self.parts.iter().enumerate() {
+            let name = part.name;
+            let [red, green, blue] = COLOURS[index % COLOURS.len()];
+            materials.push(json!({
+                "name": name,
+                "doubleSided": true,
+                "pbrMetallicRoughness": {"baseColorFactor": [red, green, blue, 1.0], "metallicFactor": 0.1, "roughnessFactor": 0.6},
+            }));
+            meshes.push(self.mesh(&mut buffer, part, index));
+            let markers: Vec<Value> = part.markers.iter().map(|marker| self.marker(marker)).collect();
+            let mut node = json!({"name": name, "mesh": index, "extras": {"markers": markers}});
+            if let (Some(moved), Some(times)) = (part.motion, times) {
+                node["translation"] = json!(moved.positions.first().copied().unwrap_or_default());
+                node["rotation"] = json!(moved.orientations.first().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]));
+                let mut animate = |path: &str, output: usize| {
+                    channels
+                        .push(json!({"sampler": samplers.len(), "target": {"node": index, "path": path}}));
+                    samplers.push(json!({"input": times, "output": output, "interpolation": "LINEAR"}));
+                };
+                animate("translation", buffer.numbers(moved.positions.as_flattened(), 3, None, false));
+                animate("rotation", buffer.numbers(moved.orientations.as_flattened(), 4, None, false));
+                if !part.shape.modes.is_empty() {
+                    animate("weights", buffer.numbers(&moved.weights, 1, None, false));
+                }
+            }
+            nodes.push(node);
+        }
+        let children: Vec<usize> = (0..nodes.len()).collect();
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        let turn = if self.y_is_up { [0.0, 0.0, 0.0, 1.0] } else { [-half, 0.0, 0.0, half] };
+        let root = nodes.len();
+        nodes.push(json!({"name": "scene", "children": children, "rotation": turn}));
+        let mut document = json!({
+            "asset": {"version": "2.0", "generator": "ffrf"},
+            "extras": {"title": self.title, "pace": self.pace, "deformation": self.deformation},
+            "scene": 0,
+            "scenes": [{"nodes": [root]}],
+            "nodes": nodes,
+            "meshes": meshes,
+            "materials": materials,
+            "accessors": buffer.accessors,
+            "bufferViews": buffer.views,
+            "buffers": [{"byteLength": buffer.bytes.len()}],
+        });
+        if !channels.is_empty() {
+            document["animations"] =
+                json!([{"name": "simulation", "samplers": samplers, "channels": channels}]);
+        }
+        binary(&document, buffer.bytes)
     }
-    mesh["primitives"] = json!([primitive]);
-    mesh
+
+    fn mesh(&self, buffer: &mut Buffer, part: &Part<'_>, material: usize) -> Value {
+        let scaled = |points: &[[f64; 3]], factor: f64| -> Vec<f32> {
+            points.iter().flatten().map(|x| (factor * x) as f32).collect()
+        };
+        let points = buffer.numbers(&scaled(&part.shape.points, 1.0), 3, Some(VERTICES), true);
+        let indices = buffer.indices(part.shape.triangles.as_flattened());
+        let mut primitive =
+            json!({"attributes": {"POSITION": points}, "indices": indices, "material": material, "mode": 4});
+        let mut mesh = json!({"name": part.name});
+        if !part.shape.modes.is_empty() {
+            let targets: Vec<Value> = part
+                .shape
+                .modes
+                .iter()
+                .map(|mode| json!({"POSITION": buffer.numbers(&scaled(mode, self.deformation), 3, Some(VERTICES), true)}))
+                .collect();
+            mesh["weights"] = json!(vec![0.0; targets.len()]);
+            mesh["extras"] = json!({"targetNames": part.mode_names});
+            primitive["targets"] = json!(targets);
+        }
+        mesh["primitives"] = json!([primitive]);
+        mesh
+    }
+
+    fn marker(&self, marker: &NamedPoint) -> Value {
+        let modes: Vec<[f64; 3]> =
+            marker.modes.iter().map(|moved| moved.map(|x| self.deformation * x)).collect();
+        json!({"name": marker.name, "position": marker.position, "modes": modes})
+    }
 }
 
 /// All numbers of a file.

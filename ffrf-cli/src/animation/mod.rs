@@ -9,8 +9,10 @@ mod skin;
 mod surface;
 
 use anyhow::Result;
-use ffrf_host::picture::{Shape, skeletons};
+use document::{Document, Part};
+use ffrf_host::picture::{Shape, model_points, named_points, skeletons};
 use ffrf_host::scene::Scene;
+use ffrf_model::{Mode, ModeKind, ReducedBody};
 
 use crate::results::Columns;
 
@@ -26,8 +28,9 @@ pub struct Show {
     pub deformation: f64,
 }
 
-/// The bytes of a `.glb` file, and a line about it. `surfaces`: of each body, where there is one.
+/// The bytes of a `.glb` file of a motion, and a line about it. `surfaces`: of each body, where there is one.
 pub fn glb(
+    title: &str,
     scene: &Scene,
     columns: &Columns,
     surfaces: &[Option<Surface>],
@@ -39,16 +42,61 @@ pub fn glb(
         .zip(surfaces)
         .map(|(skeleton, surface)| surface.as_ref().map_or(skeleton, |surface| surface.0.clone()))
         .collect();
+    let points = named_points(scene);
+    let parts = shapes.iter().zip(&frames.bodies).zip(&points).enumerate().map(
+        |(body, ((shape, motion), markers))| Part {
+            name: scene.body_names.get(body).map_or("", String::as_str),
+            shape,
+            mode_names: (1..=shape.modes.len()).map(|mode| format!("mode {mode}")).collect(),
+            markers,
+            motion: Some(motion),
+        },
+    );
+    let playback = f64::from(frames.times.last().copied().unwrap_or(0.0));
+    let gravity = scene.mechanism.gravity();
+    let document = Document {
+        title,
+        parts: parts.collect(),
+        times: &frames.times,
+        pace: frames.motion / playback,
+        // up is against gravity, else z
+        y_is_up: gravity.y.abs() > gravity.z.abs(),
+        deformation: show.deformation,
+    };
     let line = format!(
-        "{} frames, {:.3} s of motion in {:.3} s{}",
+        "{} frames, {:.3} s of motion in {playback:.3} s{}",
         frames.times.len(),
         frames.motion,
-        frames.times.last().copied().unwrap_or(0.0),
         if show.deformation == 1.0 {
             String::new()
         } else {
             format!(", deformation drawn {} times too large", show.deformation)
         }
     );
-    Ok((document::write(scene, &shapes, &frames, show.deformation), line))
+    Ok((document.bytes(), line))
+}
+
+/// The bytes of a `.glb` file of one body at rest, with its modes and markers.
+pub fn body_glb(body: &ReducedBody, shape: &Shape) -> Vec<u8> {
+    let part = Part {
+        name: &body.title,
+        shape,
+        mode_names: body.modes.iter().zip(1..).map(|(mode, number)| mode_name(mode, number)).collect(),
+        markers: &model_points(body),
+        motion: None,
+    };
+    let parts = vec![part];
+    Document { title: &body.title, parts, times: &[], pace: 1.0, y_is_up: false, deformation: 1.0 }.bytes()
+}
+
+/// What a mode is called: its number, frequency, and how it was made where that is more than an eigenmode.
+pub fn mode_name(mode: &Mode, number: usize) -> String {
+    let kind = match mode.kind {
+        ModeKind::Constraint => ", constraint mode",
+        ModeKind::Attachment => ", attachment mode",
+        ModeKind::User => ", user's shape",
+        _ => "",
+    };
+    let frequency = mode.frequency_hz.map(|frequency| format!(": {frequency:.1} Hz")).unwrap_or_default();
+    format!("mode {number}{frequency}{kind}")
 }

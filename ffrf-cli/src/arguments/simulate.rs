@@ -15,8 +15,8 @@ pub struct Simulate {
     /// Draw sensors, energies and drift over time to this file (SVG).
     #[arg(long, value_name = "PLOT.svg", conflicts_with = "check")]
     pub plot: Option<PathBuf>,
-    /// Write the motion as one animated model for browsers, Blender and other viewers (.glb).
-    #[arg(long, value_name = "MOTION.glb", conflicts_with = "check")]
+    /// Write the motion as one page that a browser plays (.html), or as one animated model for Blender and others (.glb).
+    #[arg(long, value_name = "MOTION.html", conflicts_with = "check")]
     pub animation: Option<PathBuf>,
     /// How long the animation plays, in s (default: as long as the motion, but from 2 to 60 s).
     #[arg(long, value_name = "SECONDS", requires = "animation", value_parser = parse_positive)]

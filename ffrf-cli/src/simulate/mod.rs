@@ -7,14 +7,17 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
-use ffrf_host::scene::Scene;
-use ffrf_host::simulate::{Progress, SavedState, SceneCheck, Summary, check, header, simulate};
+use ffrf_host::analysis::largest_explicit_step;
+use ffrf_host::scene::{Scene, StepChoice};
+use ffrf_host::simulate::{
+    Progress, SavedState, SceneCheck, SimulationError, Summary, check, header, simulate,
+};
 
 use crate::animation::{Show, Surface};
 use crate::arguments::Simulate;
 use crate::progress::ShareTeller;
 use crate::results::{Columns, Format};
-use crate::{animation, output, plots};
+use crate::{animation, output, plots, view};
 
 /// Runs the command.
 pub fn run(arguments: &Simulate) -> Result<()> {
@@ -29,10 +32,8 @@ pub fn run(arguments: &Simulate) -> Result<()> {
     if let Some(plot) = &arguments.plot {
         plots::refuse_other_pictures(plot)?;
     }
-    if let Some(target) =
-        arguments.animation.as_ref().filter(|target| !target.to_string_lossy().ends_with(".glb"))
-    {
-        anyhow::bail!("{}: expected the name of an animation that ends in .glb", target.display());
+    if let Some(target) = &arguments.animation {
+        view::expect_ending(target, view::ENDINGS)?;
     }
     let surfaces = read_surfaces(&scene, path, arguments.animation.is_some())?;
     let saved = arguments.load_state.as_deref().map(read_state).transpose()?;
@@ -52,22 +53,23 @@ pub fn run(arguments: &Simulate) -> Result<()> {
         |Progress { time, share, steps }| teller.tell(share, &format!("t = {time:.4} s, {steps} steps")),
     );
     teller.end();
-    let summary = result.with_context(|| format!("{}", path.display()))?;
+    let summary =
+        result.map_err(|error| explain(&scene, error)).with_context(|| format!("{}", path.display()))?;
     let mut report = describe(&summary, begin.elapsed(), scene.settings.duration);
     let written = |target: &Path, report: &mut String| {
         let _ = writeln!(report, "written: {}", target.display());
     };
+    let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     if let Some(target) = &arguments.plot {
         let times: Vec<f64> = columns.column(0).collect();
-        let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let picture = plots::draw_histories(&title, "time / s", &times, &panels::panels(&scene, &columns))?;
         output::write(Some(target), &picture)?;
         written(target, &mut report);
     }
     if let Some(target) = &arguments.animation {
         let show = Show { playback: arguments.playback, deformation: arguments.deformation_scale };
-        let (bytes, line) = animation::glb(&scene, &columns, &surfaces, show)?;
-        output::write_bytes(target, &bytes)?;
+        let (bytes, line) = animation::glb(&title, &scene, &columns, &surfaces, show)?;
+        view::write(target, &title, &bytes)?;
         let _ = writeln!(report, "animation: {line}");
         written(target, &mut report);
     }
@@ -81,6 +83,25 @@ pub fn run(arguments: &Simulate) -> Result<()> {
         output::write(Some(target), &format!("{state}\n"))?;
     }
     Ok(())
+}
+
+/// What an explicit step that was refused could have been, by everything that is stiff in the scene.
+fn explain(scene: &Scene, error: SimulationError) -> anyhow::Error {
+    let StepChoice::Fixed(step) = scene.settings.step else { return error.into() };
+    if !matches!(error, SimulationError::Step { .. }) {
+        return error.into();
+    }
+    let limit = scene.assembled().ok().and_then(|(state, _)| {
+        largest_explicit_step(scene, 0.0, &state, scene.settings.integrator).ok().flatten()
+    });
+    match limit {
+        Some(limit) if limit < step => anyhow::anyhow!(
+            "{error}\nmodes, joints and force elements together allow `{}` steps of at most {limit:.3e} s about the initial \
+             state, the scene has {step:.3e} s",
+            scene.settings.integrator.name()
+        ),
+        _ => error.into(),
+    }
 }
 
 /// The surfaces that a scene names, of each body; none are read unless they are shown.

@@ -2,16 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::io::Cursor;
-use std::path::PathBuf;
-use std::process::{Command, Output};
+use std::process::Output;
 
-fn ffrf(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ffrf")).args(arguments).output().unwrap()
-}
-
-fn scene(name: &str) -> String {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(name).display().to_string()
-}
+use super::program::{ffrf, scene};
 
 fn said(run: &Output) -> String {
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));

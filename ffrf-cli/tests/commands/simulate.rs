@@ -2,15 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::path::PathBuf;
-use std::process::{Command, Output};
 
-fn ffrf(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ffrf")).args(arguments).output().unwrap()
-}
-
-fn scene(name: &str) -> String {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(name).display().to_string()
-}
+use super::program::{ffrf, scene};
 
 /// The columns of a result by name.
 fn read(path: &std::path::Path) -> (Vec<String>, Vec<Vec<f64>>) {

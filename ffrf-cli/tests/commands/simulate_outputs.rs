@@ -2,38 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::io::Cursor;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 
-fn ffrf(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ffrf")).args(arguments).output().unwrap()
-}
-
-fn scene(name: &str) -> String {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(name).display().to_string()
-}
-
-/// A scene of `models/scenes` in `folder`, with a part of its text replaced.
-fn changed(folder: &Path, name: &str, replacements: &[(&str, &str)]) -> String {
-    let mut text = std::fs::read_to_string(scene(name)).unwrap();
-    text = text.replace("\"../conrod", &format!("\"{}", scene("../conrod")));
-    for (from, to) in replacements {
-        assert!(text.contains(from), "{from}");
-        text = text.replace(from, to);
-    }
-    let path = folder.join(
-        format!("{}-{name}", replacements.last().map_or("", |(_, to)| to.trim()))
-            .replace(['"', ' ', '='], ""),
-    );
-    std::fs::write(&path, text).unwrap();
-    path.display().to_string()
-}
-
-fn succeed(arguments: &[&str]) -> Output {
-    let run = ffrf(arguments);
-    assert!(run.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&run.stderr));
-    run
-}
+use super::program::{changed, ffrf, scene, succeed};
 
 #[test]
 fn all_formats_hold_the_same_numbers_and_every_run_the_same_bytes() {
@@ -155,7 +126,7 @@ fn names_that_end_in_something_else_are_refused_before_the_work() {
     for (arguments, expected) in [
         (vec!["-o", &at("a.xlsx")], "expected a name that ends in .csv, .npz or .parquet, found .xlsx"),
         (vec!["-o", &at("a.csv"), "--plot", &at("a.png")], "ends in .svg"),
-        (vec!["-o", &at("a.csv"), "--animation", &at("a.vtu")], "ends in .glb"),
+        (vec!["-o", &at("a.csv"), "--animation", &at("a.vtu")], "ends in .html or .glb"),
     ] {
         let arguments: Vec<&str> = ["simulate", &file].into_iter().chain(arguments).collect();
         let run = ffrf(&arguments);

@@ -16,6 +16,16 @@ use super::plan::OwnedPlan;
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
+/// A tolerance that the number type can meet: what holds in double precision cannot be met in single.
+fn as_exact_as<T: RealField + Copy>(tolerance: T) -> T {
+    match Treatment::<T>::projection() {
+        Treatment::Projection { tolerance: own, .. } if T::default_epsilon() > convert(1e-10) => {
+            own.max(tolerance)
+        }
+        _ => tolerance,
+    }
+}
+
 /// Forces of elements and users: sees the whole mechanism.
 pub type Forces<T = f64> = dyn Fn(T, &mut HostPorts<'_, T>) + Send + Sync;
 
@@ -116,7 +126,7 @@ impl HostMechanism {
             soft: self.soft.clone(),
             treatment: match self.treatment {
                 Treatment::Projection { iterations, tolerance } => {
-                    Treatment::Projection { iterations, tolerance: convert(tolerance) }
+                    Treatment::Projection { iterations, tolerance: as_exact_as::<T>(convert(tolerance)) }
                 }
                 Treatment::Baumgarte { alpha, beta } => {
                     Treatment::Baumgarte { alpha: convert(alpha), beta: convert(beta) }
@@ -124,9 +134,10 @@ impl HostMechanism {
                 Treatment::Index3 => Treatment::Index3,
                 Treatment::StabilisedIndex2 => Treatment::StabilisedIndex2,
             },
-            regularisation: Regularisation {
-                share: convert(self.regularisation.share),
-                refinements: self.regularisation.refinements,
+            regularisation: if self.regularisation.share > 0.0 {
+                Regularisation::of_loops()
+            } else {
+                Regularisation::of_trees()
             },
         }
     }

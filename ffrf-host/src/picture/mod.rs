@@ -1,8 +1,10 @@
 //! What bodies look like, for pictures: no number of a simulation depends on it.
 
+mod points;
 mod skeleton;
 
-pub use skeleton::skeletons;
+pub use points::{NamedPoint, model_points, named_points};
+pub use skeleton::{model_skeleton, skeletons};
 
 /// Triangles and how modes move them. Frame: body.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,5 +1,7 @@
 //! What bodies without a surface look like: bars between what is known of them.
 
+use ffrf_codegen::fidelity::Fidelity;
+use ffrf_model::ReducedBody;
 use ffrf_runtime::{FlexibleBody as _, Marker, Observables as _};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -30,6 +32,17 @@ pub fn skeletons(scene: &Scene) -> Vec<Shape> {
     let size = size(scene);
     let bodies = scene.mechanism.bodies().iter().zip(scene.mechanism.markers());
     bodies.map(|(body, markers)| skeleton(body, markers, size)).collect()
+}
+
+/// What a body looks like without a surface.
+pub fn model_skeleton(model: &ReducedBody) -> Shape {
+    let (body, markers) = (HostBody::new(model, &Fidelity::Full), HostBody::markers(model));
+    let (mut low, mut high) = (Vector3::zeros(), Vector3::zeros());
+    for marker in &markers {
+        (low, high) = (low.inf(&marker.position), high.sup(&marker.position));
+    }
+    let size = (high - low).norm();
+    skeleton(&body, &markers, if size > 0.0 { size } else { 1.0 })
 }
 
 /// A bar from the centre of mass to each marker, a cube at each, and where there are no markers the box of equal inertia.

@@ -24,6 +24,8 @@ pub struct Scene {
     pub initial: Vec<State<HostModal>>,
     /// Names of the bodies.
     pub body_names: Vec<String>,
+    /// Names of the markers of each body; joints and others have markers without a name after them.
+    pub marker_names: Vec<Vec<String>>,
     /// Names of the connections: those of joints, and of their drives.
     pub connection_names: Vec<String>,
     /// Names of the force elements.
@@ -110,6 +112,7 @@ impl Scene {
         }
         let surfaces = file.bodies.iter().map(|(_, table)| table.surface.clone()).collect();
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
+        let marker_names = named.iter().map(|body| body.marker_names.clone()).collect();
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
@@ -120,6 +123,7 @@ impl Scene {
             mechanism,
             initial: states,
             body_names,
+            marker_names,
             connection_names,
             element_names,
             actuator_names,

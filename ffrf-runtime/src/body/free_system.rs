@@ -1,11 +1,11 @@
 //! A free body under a load, as a system that integrators advance.
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
 use super::{FlexibleBody, GeneralisedForce, Increment, Load, ModalVector, Oscillators, Span, State};
 use crate::integrators::{
     ConservingSystem, ExponentialSystem, Forcing, ImplicitSystem, LocalError, StepError, StiffSystem, System,
-    Tolerances, VectorSpace,
+    Tolerances, VectorSpace, too_large,
 };
 
 /// A body without joints and what pushes it.
@@ -95,6 +95,21 @@ where
 
     fn largest_stable_step(&self) -> Option<T> {
         self.body.largest_stable_step()
+    }
+
+    fn refusal(&self, time: T, state: &Self::State) -> StepError {
+        // kernels say of a mass matrix that is not positive definite that accelerations are not a number
+        let rest = self.body.undeformed();
+        let undeformed = self.body.prepare(&rest, &Vector3::zeros(), &rest);
+        let modes = self.body.modal_mass().factor();
+        if modes.and_then(|modes| undeformed.eliminate(modes).factor()).is_none() {
+            return StepError::MassNotPositive;
+        }
+        if self.force(time, state).is_finite() {
+            too_large(self.largest_stable_step())
+        } else {
+            StepError::NonFiniteAcceleration
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::system::{begin, finish};
+use super::system::{begin, finish, refusal, stage};
 use super::{StepError, StepReport, System, Tolerances, VectorSpace};
 
 /// Nodes of the stages.
@@ -62,7 +62,8 @@ pub struct ControlledStep<S, T = f64> {
 /// next.
 ///
 /// Factors of the step stay between 1/5 and 5, safety 0.9. Source: Hairer, Nørsett, Wanner, Solving Ordinary Differential
-/// Equations I, II.4. Errors: see [`StepError`]; a state that is not finite counts as an error that is too large.
+/// Equations I, II.4. Errors: see [`StepError`]; a state that is not finite counts as an error that is too large, if nothing is
+/// wrong before the step.
 pub fn try_dormand_prince<S: System<T>, T: RealField + Copy>(
     system: &S,
     state: &S::State,
@@ -70,7 +71,20 @@ pub fn try_dormand_prince<S: System<T>, T: RealField + Copy>(
     step: T,
     tolerances: &Tolerances<T>,
 ) -> Result<ControlledStep<S::State, T>, StepError> {
-    controlled(system, state, time, step, tolerances, &stages(system, state, time, step)?)
+    match stages(system, state, time, step) {
+        Ok(stages) => controlled(system, state, time, step, tolerances, &stages),
+        Err(error) => shorter(step, error),
+    }
+}
+
+/// A step that has led nowhere is tried again with a fifth of its size. Errors: something else is wrong.
+fn shorter<S, T: RealField + Copy>(step: T, error: StepError) -> Result<ControlledStep<S, T>, StepError> {
+    match error {
+        StepError::NonFiniteResult { .. } => {
+            Ok(ControlledStep { accepted: None, next_step: step * nalgebra::convert(0.2) })
+        }
+        error => Err(error),
+    }
 }
 
 /// The way of a step of Dormand and Prince between its ends, of order 4.
@@ -131,7 +145,10 @@ pub fn try_dormand_prince_dense<S: System<T>, T: RealField + Copy>(
     step: T,
     tolerances: &Tolerances<T>,
 ) -> Result<DenseStep<S::State, S::Increment, T>, StepError> {
-    let stages = stages(system, state, time, step)?;
+    let stages = match stages(system, state, time, step) {
+        Ok(stages) => stages,
+        Err(error) => return shorter(step, error).map(|tried| (tried, None)),
+    };
     let tried = controlled(system, state, time, step, tolerances, &stages)?;
     let dense = tried.accepted.is_some().then(|| DenseOutput::new(&stages, step));
     Ok((tried, dense))
@@ -151,15 +168,17 @@ fn controlled<S: System<T>, T: RealField + Copy>(
     let ratio = system.weighted_error(state, &stages.error, tolerances);
     // not a number counts as far too large
     if !ratio.is_finite() {
-        return Ok(ControlledStep { accepted: None, next_step: step * fifth });
+        return shorter(step, refusal(system, time, state, false));
     }
     let factor = if ratio > T::zero() { safety * ratio.powf(-fifth) } else { most };
     let next_step = step * factor.max(fifth).min(most);
     if ratio > T::one() {
         return Ok(ControlledStep { accepted: None, next_step: next_step.min(step * safety) });
     }
-    let accepted = finish(system, time + step, state, &stages.slope, &stages.error, None)?;
-    Ok(ControlledStep { accepted: Some(accepted), next_step })
+    match finish(system, time + step, state, &stages.slope, &stages.error, None) {
+        Ok(accepted) => Ok(ControlledStep { accepted: Some(accepted), next_step }),
+        Err(error) => shorter(step, error),
+    }
 }
 
 /// What the stages of a step give.
@@ -190,7 +209,8 @@ fn stages<S: System<T>, T: RealField + Copy>(
                 increment.add_scaled(h * nalgebra::convert(*weight), slope);
             }
         }
-        let rates = system.rates(time + h * nalgebra::convert(*node), state, &increment)?;
+        let rates = system.rates(time + h * nalgebra::convert(*node), state, &increment);
+        let rates = stage(system, time, state, false, rates)?;
         if let Some(place) = slopes.get_mut(index) {
             *place = rates;
         }

@@ -10,7 +10,7 @@
 
 use nalgebra::RealField;
 
-use super::system::{ConservingSystem, begin, displaced, finish};
+use super::system::{ConservingSystem, begin, displaced, finish, refusal, stage};
 use super::{StepError, StepReport, Tolerances, VectorSpace};
 
 /// The energy-momentum method: order 2, symmetric in time; when its equations count as solved.
@@ -54,15 +54,15 @@ impl<T: RealField + Copy> EnergyMomentum<T> {
         let mut residual = T::zero();
         let mut last = false;
         for iteration in 1..=self.iterations {
-            let corrected = system.conserving_correction(time, state, &velocities, h)?;
+            let corrected = system.conserving_correction(time, state, &velocities, h);
+            let corrected = stage(system, time, state, true, corrected)?;
             let change = system.velocities_only(&corrected);
             velocities.add_scaled(T::one(), &change);
             let mut moved = displaced(system, state, &change);
             moved.scale(half);
             residual = system.weighted_error(state, &moved, &self.tolerances);
-            // not a number is no convergence
             if !residual.is_finite() {
-                break;
+                return Err(refusal(system, time + h, state, true));
             }
             let small = residual <= T::one();
             // one more correction takes what is left down to round-off: errors of energy do not add up then

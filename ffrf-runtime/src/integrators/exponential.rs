@@ -15,7 +15,7 @@
 use nalgebra::RealField;
 
 use super::step::checked_step_size;
-use super::system::{begin, finish};
+use super::system::{begin, finish, stage};
 use super::{StepError, StepReport, System, VectorSpace};
 
 /// Which answer of the modes is asked for.
@@ -85,7 +85,7 @@ impl<M, T: RealField + Copy> Exponential<M, T> {
         let mut whole = system.free_vibration(modes, state);
         whole.add_scaled(T::one(), &system.forced_vibration(modes, &first, Forcing::Constant));
 
-        let mut change = system.rates(time + h, state, &whole)?;
+        let mut change = stage(system, time, state, false, system.rates(time + h, state, &whole))?;
         change.add_scaled(-T::one(), &system.vibration_rates(modes, &system.retract(state, &whole)));
         change.add_scaled(-T::one(), &first);
         let error = system.forced_vibration(modes, &change, Forcing::Ramp);

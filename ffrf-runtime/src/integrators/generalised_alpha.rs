@@ -20,7 +20,7 @@
 
 use nalgebra::RealField;
 
-use super::system::{begin, displaced, finish};
+use super::system::{begin, displaced, finish, refusal, stage};
 use super::{Correction, ImplicitSystem, StepError, StepReport, Tolerances, VectorSpace};
 
 /// The generalised-α method: how much it damps, and when its equations count as solved.
@@ -141,8 +141,13 @@ impl<T: RealField + Copy> GeneralisedAlpha<T> {
         let mut residual = T::zero();
         for iteration in 1..=self.iterations {
             let whole = increment(&shifted(&accelerations), &places);
-            let Correction { accelerations: change, places: moved } =
-                system.correction(time + h, state, &whole, &accelerations, gamma_h)?;
+            let Correction { accelerations: change, places: moved } = stage(
+                system,
+                time,
+                state,
+                true,
+                system.correction(time + h, state, &whole, &accelerations, gamma_h),
+            )?;
             accelerations.add_scaled(T::one(), &change);
             let mut difference = displaced(system, state, &change);
             difference.scale(gamma_h * gamma_h);
@@ -151,9 +156,8 @@ impl<T: RealField + Copy> GeneralisedAlpha<T> {
                 difference.add_scaled(T::one(), &moved);
             }
             residual = system.weighted_error(state, &difference, &self.tolerances);
-            // not a number is no convergence
             if !residual.is_finite() {
-                break;
+                return Err(refusal(system, time + h, state, true));
             }
             if residual <= T::one() {
                 let new = shifted(&accelerations);

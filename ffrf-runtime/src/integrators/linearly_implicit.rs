@@ -35,7 +35,7 @@
 
 use nalgebra::RealField;
 
-use super::system::{begin, finish};
+use super::system::{begin, finish, stage};
 use super::{StepError, StepReport, StiffSystem, VectorSpace};
 
 /// One step of ROS2 with the modal stiffness and damping implicit: order 2, stable for any h ω_max.
@@ -61,7 +61,8 @@ pub fn step_linearly_implicit<S: StiffSystem<T>, T: RealField + Copy>(
     whole.scale(h);
     let mut twice = k1.clone();
     twice.scale(two);
-    let k2 = system.implicit_rates(time + h, state, &whole, gamma_h, Some(&twice))?;
+    let k2 = system.implicit_rates(time + h, state, &whole, gamma_h, Some(&twice));
+    let k2 = stage(system, time, state, true, k2)?;
 
     let mut slope = whole.clone();
     slope.scale(T::one() + half);

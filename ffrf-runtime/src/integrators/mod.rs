@@ -29,4 +29,4 @@ pub use system::{ConservingSystem, Correction, ImplicitSystem, StiffSystem, Syst
 
 pub use watched::Watched;
 
-pub(crate) use system::{displaced, elastic_at_rest};
+pub(crate) use system::{displaced, elastic_at_rest, too_large};

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::system::{begin, finish};
+use super::system::{begin, finish, stage};
 use super::{StepError, StepReport, System, VectorSpace};
 
 /// One step of the classical Runge-Kutta method, order 4, explicit: stable for h ω_max < 2.78 undamped.
@@ -28,10 +28,13 @@ pub fn step_rk4<S: System<T>, T: RealField + Copy>(
         increment
     };
 
+    let rates = |after: T, increment: &S::Increment| {
+        stage(system, time, state, false, system.rates(time + after, state, increment))
+    };
     let k1 = system.rates(time, state, &system.no_change(state))?;
-    let k2 = system.rates(time + half, state, &scaled(&k1, half))?;
-    let k3 = system.rates(time + half, state, &scaled(&k2, half))?;
-    let k4 = system.rates(time + h, state, &scaled(&k3, h))?;
+    let k2 = rates(half, &scaled(&k1, half))?;
+    let k3 = rates(half, &scaled(&k2, half))?;
+    let k4 = rates(h, &scaled(&k3, h))?;
 
     let mut slope = scaled(&k1, sixth);
     slope.add_scaled(third, &k2);

@@ -80,12 +80,18 @@ pub enum StepError {
     },
     /// The state before the step holds an infinity or is not a number.
     NonFiniteState,
-    /// The state after the step would hold an infinity or not be a number: step too large, or bad loads.
+    /// The accelerations before the step hold an infinity or are not a number, though its state is finite: a load, a drive or
+    /// an invariant is to blame, or steps before it, if the state is absurd.
+    NonFiniteAcceleration,
+    /// The state after the step would hold an infinity or not be a number, though loads are finite before it: the step is too
+    /// large, or those before it were and the motion has grown absurd.
     NonFiniteResult {
-        /// The largest stable step of the classical Runge-Kutta method, if the body knows it. Units: s.
+        /// The largest stable step of the classical Runge-Kutta method by the modes alone, for explicit steps of bodies that know
+        /// it; force elements and large motion can ask for less. Units: s.
         largest_stable_step: Option<f64>,
     },
-    /// The mass matrix, with the implicit terms, is not positive definite: invariants or state are unphysical.
+    /// The mass matrix, with the implicit terms, is not positive definite: invariants are unphysical, beyond what the number
+    /// type resolves, or the state before the step is already absurd.
     MassNotPositive,
     /// The equations of an implicit step were not solved within the iterations that it is allowed.
     NotConverged {
@@ -120,16 +126,23 @@ impl fmt::Display for StepError {
             }
             Self::NonFiniteState => formatter.write_str("the state before the step is not finite"),
             Self::NonFiniteResult { largest_stable_step } => {
-                formatter
-                    .write_str("the state after the step is not finite: step too large, or bad loads")?;
+                formatter.write_str("the state after the step is not finite: the step is too large, or steps before it were")?;
                 match largest_stable_step {
-                    Some(limit) => {
-                        write!(formatter, "; the highest mode allows explicit steps of at most {limit:.3e} s")
-                    }
+                    Some(limit) => write!(
+                        formatter,
+                        "; the highest mode allows explicit steps of at most {limit:.3e} s, stiff force elements less"
+                    ),
                     None => Ok(()),
                 }
             }
-            Self::MassNotPositive => formatter.write_str("the mass matrix is not positive definite"),
+            Self::NonFiniteAcceleration => formatter.write_str(
+                "the accelerations before the step are not finite: a load, a drive or a number of a body is not, or the motion has \
+                 grown absurd (explicit steps that are too large)",
+            ),
+            Self::MassNotPositive => formatter.write_str(
+                "the mass matrix is not positive definite: no body has these invariants, the number type does not resolve them, \
+                 or the deformation has grown absurd (explicit steps that are too large)",
+            ),
             Self::NotConverged { iterations, residual } => write!(
                 formatter,
                 "the step is not solved after {iterations} iterations: the last correction is {residual:.3e} times the tolerance"

@@ -78,6 +78,19 @@ pub trait System<T: RealField + Copy> {
     fn largest_stable_step(&self) -> Option<T> {
         None
     }
+
+    /// Why a step from `state`, which is finite, has led to no finite state: asked then only, good steps cost nothing.
+    ///
+    /// [`StepError::NonFiniteResult`] if nothing is wrong before the step.
+    fn refusal(&self, time: T, state: &Self::State) -> StepError {
+        match self.rates(time, state, &self.no_change(state)) {
+            Err(error) => error,
+            Ok(rates) if self.is_finite(&self.retract(state, &self.velocities_only(&rates))) => {
+                too_large(self.largest_stable_step())
+            }
+            Ok(_) => StepError::NonFiniteAcceleration,
+        }
+    }
 }
 
 /// A system whose stiff part, modal stiffness and damping, can be taken implicitly.
@@ -187,6 +200,40 @@ pub(super) fn begin<S: System<T>, T: RealField + Copy>(
     if system.is_finite(state) { Ok(step) } else { Err(StepError::NonFiniteState) }
 }
 
+/// Nothing is wrong before a step that has led to no finite state.
+pub(crate) fn too_large<T: RealField + Copy>(largest_stable_step: Option<T>) -> StepError {
+    StepError::NonFiniteResult { largest_stable_step: largest_stable_step.and_then(nalgebra::try_convert) }
+}
+
+/// Why a step from `state` has led to no finite state; the stable step of explicit methods is no limit to `implicit` ones.
+#[cold]
+pub(super) fn refusal<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    time: T,
+    state: &S::State,
+    implicit: bool,
+) -> StepError {
+    match system.refusal(time, state) {
+        StepError::NonFiniteResult { .. } if implicit => too_large::<T>(None),
+        why => why,
+    }
+}
+
+/// What a stage of a step has `found`: a mass matrix that is not positive definite within a step, though it was before,
+/// comes of the step.
+pub(super) fn stage<S: System<T>, T: RealField + Copy, R>(
+    system: &S,
+    time: T,
+    state: &S::State,
+    implicit: bool,
+    found: Result<R, StepError>,
+) -> Result<R, StepError> {
+    match found {
+        Err(StepError::MassNotPositive) => Err(refusal(system, time, state, implicit)),
+        found => found,
+    }
+}
+
 /// The last thing every step does: the new state with its report, or why there is none.
 pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     system: &S,
@@ -196,9 +243,7 @@ pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     error: &S::Increment,
     gamma_h: Option<T>,
 ) -> Result<(S::State, super::StepReport<T>), StepError> {
-    let refused = || StepError::NonFiniteResult {
-        largest_stable_step: system.largest_stable_step().and_then(nalgebra::try_convert),
-    };
+    let refused = || refusal(system, time, origin, gamma_h.is_some());
     let state = system.retract(origin, slope);
     if !system.is_finite(&state) {
         return Err(refused());

@@ -77,6 +77,10 @@ impl<T: RealField + Copy, S: System<T>, L: Fn(&S::State) -> Departure> System<T>
     fn largest_stable_step(&self) -> Option<T> {
         self.system.largest_stable_step()
     }
+
+    fn refusal(&self, time: T, state: &S::State) -> StepError {
+        self.system.refusal(time, state)
+    }
 }
 
 impl<T: RealField + Copy, S: StiffSystem<T>, L: Fn(&S::State) -> Departure> StiffSystem<T>

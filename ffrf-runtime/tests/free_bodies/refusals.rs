@@ -34,11 +34,8 @@ fn a_broken_load_leaves_the_body_alone() {
     let bad = |_: &NaiveBody<0, 6>, _: f64, _: &RigidState, force: &mut Push| force.force.x = f64::NAN;
     let mut body = FreeBody::new(rigid(1.0, Vector3::new(1.0, 1.0, 1.0))).with_spin(Vector3::x());
     let before = body;
-    assert_eq!(body.step_rk4(0.1, &bad), Err(StepError::NonFiniteResult { largest_stable_step: None }));
-    assert_eq!(
-        body.step_linearly_implicit(0.1, &bad),
-        Err(StepError::NonFiniteResult { largest_stable_step: None })
-    );
+    assert_eq!(body.step_rk4(0.1, &bad), Err(StepError::NonFiniteAcceleration));
+    assert_eq!(body.step_linearly_implicit(0.1, &bad), Err(StepError::NonFiniteAcceleration));
     assert_eq!(body, before);
 }
 
@@ -56,13 +53,13 @@ fn a_mass_that_is_not_positive_is_refused() {
     };
     let mut body: FreeBody<NaiveBody<0, 6>> = FreeBody::new(NaiveBody::new(&unphysical));
     assert_eq!(body.step_linearly_implicit(0.1, &()), Err(StepError::MassNotPositive));
-    assert_eq!(body.step_rk4(0.1, &()), Err(StepError::NonFiniteResult { largest_stable_step: None }));
+    assert_eq!(body.step_rk4(0.1, &()), Err(StepError::MassNotPositive));
 }
 
 #[test]
 fn errors_are_errors() {
     let error: Box<dyn core::error::Error> = Box::new(StepError::MassNotPositive);
-    assert_eq!(error.to_string(), "the mass matrix is not positive definite");
+    assert!(error.to_string().starts_with("the mass matrix is not positive definite"));
 }
 
 proptest! {
