@@ -23,19 +23,21 @@ from distributed import Client, LocalCluster, as_completed
 def spread(
     client: Client, sweep: ffrf.Sweep, configurations: Sequence[ffrf.Configuration]
 ) -> list[ffrf.Outcome]:
-    """Run on the cluster what the folder of the sweep does not hold yet, and keep each outcome as soon as it is there.
+    """Run on the cluster what the folder of the sweep does not hold yet, and keep outcomes as soon as they are there.
 
     A worker that dies takes only its runs in flight with it: the scheduler gives them to others, and so it does with the study,
     which is the result of a task and no data scattered once. Workers import nothing but the package.
     """
-    missing = sweep.missing(configurations)
+    # the costliest first, so that no worker waits at the end for one that came late
+    missing = sorted(sweep.missing(configurations), key=lambda one: -one.expected_effort)
     # read once by each worker, and shared by its runs
     study = client.submit(pickle.loads, pickle.dumps(sweep.study), pure=False)
     runs = [client.submit(ffrf.Study.run, study, one, pure=False) for one in missing]
-    for done in as_completed(runs):
-        sweep.keep(done.result())
-        # the cluster need not remember it
-        done.release()
+    for batch in as_completed(runs).batches():
+        sweep.keep(*(done.result() for done in batch))
+        for done in batch:
+            # the cluster need not remember it
+            done.release()
     outcomes = sweep.outcomes(configurations)
     sweep.write(outcomes)
     return outcomes

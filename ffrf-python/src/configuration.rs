@@ -62,6 +62,11 @@ impl Configuration {
         self.0.key()
     }
 
+    #[getter]
+    fn expected_effort(&self) -> f64 {
+        self.0.expected_effort()
+    }
+
     fn __repr__(&self) -> String {
         format!("<ffrf.Configuration {}>", self.0.key())
     }

@@ -59,8 +59,10 @@ impl Sweep {
         Ok(configurations.into_iter().filter(|one| !known.contains_key(&one.0.key())).collect())
     }
 
-    fn keep(&self, py: Python<'_>, outcome: &Outcome) -> PyResult<()> {
-        py.detach(|| self.folder.keep(&outcome.0)).map_err(|error| in_file(&self.path, error))
+    #[pyo3(signature = (*outcomes))]
+    fn keep(&self, py: Python<'_>, outcomes: Vec<Outcome>) -> PyResult<()> {
+        let outcomes: Vec<_> = outcomes.into_iter().map(|outcome| outcome.0).collect();
+        py.detach(|| self.folder.keep(&outcomes)).map_err(|error| in_file(&self.path, error))
     }
 
     fn outcomes(&self, py: Python<'_>, configurations: Vec<Configuration>) -> PyResult<Vec<Outcome>> {

@@ -1,9 +1,9 @@
 //! What a sweep keeps in its folder, so that one that was killed goes on where it was.
 //!
-//! `study.json` says what was asked, `reference.json` holds the reference, `runs/KEY.json` one outcome each. Every file is
-//! whole or not there.
+//! `study.json` says what was asked, `reference.json` holds the reference, `runs/KEY.jsonl` outcomes, one a line: those
+//! that had come when the file before was safe. Every file is whole or not there.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -12,6 +12,9 @@ use ffrf_host::tradeoff::{Channel, Configuration, Outcome, Reference};
 
 use super::asked::Asked;
 use super::saved::{outcome_from_json, outcome_to_json, reference_from_json, reference_to_json};
+
+/// Where outcomes are, in the folder of a sweep.
+const RUNS: &str = "runs";
 
 /// The folder of a sweep.
 pub struct Store {
@@ -32,7 +35,7 @@ impl Store {
                 );
             }
         } else {
-            let runs = folder.join("runs");
+            let runs = folder.join(RUNS);
             fs::create_dir_all(&runs).with_context(|| format!("{}: cannot be made", runs.display()))?;
             write(&file, &serde_json::to_string(asked)?)?;
         }
@@ -56,26 +59,36 @@ impl Store {
 
     /// The outcomes that are there, of these configurations.
     pub fn outcomes(&self, configurations: &[Configuration]) -> Result<BTreeMap<String, Outcome>> {
+        let wanted: BTreeSet<String> = configurations.iter().map(Configuration::key).collect();
+        let folder = self.folder.join(RUNS);
+        let about = |path: &Path| format!("{}", path.display());
         let mut known = BTreeMap::new();
-        for configuration in configurations {
-            let file = self.run_file(configuration);
-            if file.exists() {
-                let about = || format!("{}", file.display());
-                let outcome = outcome_from_json(&read(&file)?).with_context(about)?;
-                known.insert(configuration.key(), outcome);
+        for entry in fs::read_dir(&folder).with_context(|| about(&folder))? {
+            let file = entry.with_context(|| about(&folder))?.path();
+            if file.extension().is_none_or(|extension| extension != "jsonl") {
+                continue;
+            }
+            for line in read(&file)?.lines() {
+                let outcome = outcome_from_json(line).with_context(|| about(&file))?;
+                let key = outcome.configuration.key();
+                if wanted.contains(&key) {
+                    known.insert(key, outcome);
+                }
             }
         }
         Ok(known)
     }
 
-    /// Keeps one outcome.
-    pub fn keep(&self, outcome: &Outcome) -> std::io::Result<()> {
-        let text = outcome_to_json(outcome).map_err(std::io::Error::other)?;
-        ffrf_model::write_file(self.run_file(&outcome.configuration), format!("{text}\n").as_bytes())
-    }
-
-    fn run_file(&self, configuration: &Configuration) -> PathBuf {
-        self.folder.join("runs").join(format!("{}.json", configuration.key()))
+    /// Keeps outcomes, all in one file that is whole or not there: a file that is safe on a disk takes longer than many a run.
+    pub fn keep(&self, outcomes: &[Outcome]) -> std::io::Result<()> {
+        let Some(first) = outcomes.first() else { return Ok(()) };
+        let mut text = String::new();
+        for outcome in outcomes {
+            text.push_str(&outcome_to_json(outcome).map_err(std::io::Error::other)?);
+            text.push('\n');
+        }
+        let name = format!("{}.jsonl", first.configuration.key());
+        ffrf_model::write_file(self.folder.join(RUNS).join(name), text.as_bytes())
     }
 }
 

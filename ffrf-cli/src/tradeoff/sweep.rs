@@ -122,14 +122,14 @@ impl Sweep {
         self.store.outcomes(configurations)
     }
 
-    /// Keeps an outcome: its file is whole or not there.
-    pub fn keep(&self, outcome: &Outcome) -> io::Result<()> {
-        self.store.keep(outcome)
+    /// Keeps outcomes, all in one file that is whole or not there.
+    pub fn keep(&self, outcomes: &[Outcome]) -> io::Result<()> {
+        self.store.keep(outcomes)
     }
 
     /// Runs what is not in `known` on so many threads, keeps it, and gives all outcomes in the order of the configurations.
     ///
-    /// Errors: what cannot be composed or kept, and what `told` says, which is called behind each outcome.
+    /// Errors: what cannot be composed or kept, and what `told` says, which is called whenever some are kept.
     pub fn run(
         &self,
         configurations: &[Configuration],
@@ -138,8 +138,8 @@ impl Sweep {
         told: &mut dyn FnMut(Done) -> io::Result<()>,
     ) -> Result<Vec<Outcome>> {
         let Measure { question, study, reference } = &*self.measure;
-        let outcomes = sweep(study, reference, configurations, known, threads, &mut |outcome, done| {
-            self.store.keep(outcome)?;
+        let outcomes = sweep(study, reference, configurations, known, threads, &mut |outcomes, done| {
+            self.store.keep(outcomes)?;
             told(done)
         });
         outcomes.with_context(|| question.context())

@@ -165,6 +165,9 @@ class Configuration:
     @property
     def key(self) -> str:
         """A name that no other configuration has, fit for files."""
+    @property
+    def expected_effort(self) -> float:
+        """Grows with what a run takes: run the largest first, so that nobody waits for one that came late."""
     def __hash__(self) -> int: ...
     def __eq__(self, value: object, /) -> bool: ...
 
@@ -281,8 +284,8 @@ class Sweep:
         """The folder."""
     def missing(self, configurations: Sequence[Configuration]) -> list[Configuration]:
         """Those that have no outcome here yet."""
-    def keep(self, outcome: Outcome) -> None:
-        """Write an outcome: its file is whole or not there."""
+    def keep(self, *outcomes: Outcome) -> None:
+        """Write outcomes, all in one file that is whole or not there."""
     def outcomes(self, configurations: Sequence[Configuration]) -> list[Outcome]:
         """The outcomes that are here, in the order of the configurations."""
     def run(self, configurations: Sequence[Configuration], *, threads: int | None = None) -> list[Outcome]:

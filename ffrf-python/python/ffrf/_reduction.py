@@ -59,6 +59,8 @@ def reduce(
     geometric_stiffness: bool = False,
     elastic: Optional[Tuple[float, float]] = None,
     surface: Optional[PathLike] = None,
+    view: Optional[PathLike] = None,
+    sheet: Optional[PathLike] = None,
     title: Optional[str] = None,
 ) -> _native.Body:
     """Reduce a finite-element model to a flexible body: the arguments are the flags of ``ffrf reduce``.
@@ -108,6 +110,8 @@ def reduce(
             geometric_stiffness=geometric_stiffness,
             elastic=elastic,
             surface=surface,
+            view=view,
+            sheet=sheet,
             title=title,
         )
         # the command must be told where to write; here nothing is written
