@@ -22,7 +22,11 @@ is_offline() {
 
 command -v "${PYTHON:-python3}" >/dev/null || skip "there is no python3"
 mkdir -p "$place"
-"${PYTHON:-python3}" -m venv "$place"
+if ! "${PYTHON:-python3}" -m venv "$place" >"$log" 2>&1; then
+    # Debian keeps what venv needs in a package of its own
+    { [ "$(id -u)" = 0 ] && apt-get update && apt-get install -y --no-install-recommends python3-venv; } >>"$log" 2>&1 || true
+    "${PYTHON:-python3}" -m venv "$place" >>"$log" 2>&1 || skip "python3 cannot make an environment, see $log"
+fi
 if ! "$python" -m pip install --disable-pip-version-check --retries 2 -r tests/requirements.txt >"$log" 2>&1; then
     is_offline && skip "PyPI cannot be reached"
     cat "$log"
