@@ -14,8 +14,8 @@ use crate::arguments::FeFiles;
 impl FeFiles {
     /// File name of the node table, without its folder and extension.
     pub fn name(&self) -> String {
-        let path =
-            [&self.nodes, &self.abaqus, &self.calculix, &self.ansys].into_iter().find_map(Option::as_deref);
+        let paths = [&self.mesh, &self.nodes, &self.abaqus, &self.calculix, &self.nastran, &self.ansys];
+        let path = paths.into_iter().find_map(Option::as_deref);
         path.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
     }
 
@@ -30,15 +30,19 @@ impl FeFiles {
     }
 
     fn node_source(&self) -> Result<NodeSource> {
-        Ok(match (&self.nodes, &self.abaqus, &self.calculix, &self.ansys) {
+        if let Some(path) = &self.mesh {
+            return Ok(NodeSource::Mesh { path: path.clone(), material: self.material });
+        }
+        Ok(match (&self.nodes, &self.abaqus, &self.calculix, &self.nastran, &self.ansys) {
             (Some(path), ..) => match path.extension().and_then(|extension| extension.to_str()) {
                 Some("npy" | "npz") => NodeSource::Numpy(path.clone()),
                 _ => NodeSource::Text(path.clone()),
             },
             (_, Some(deck), ..) => NodeSource::Abaqus(deck.clone()),
-            (_, _, Some(deck), _) => NodeSource::Calculix(deck.clone()),
+            (_, _, Some(deck), ..) => NodeSource::Calculix(deck.clone()),
+            (.., Some(deck), _) => NodeSource::Nastran(deck.clone()),
             (.., Some(nodes)) => NodeSource::Ansys { nodes: nodes.clone(), mapping: self.mapping.clone() },
-            _ => bail!("give one of --nodes, --abaqus, --calculix, --ansys"),
+            _ => bail!("give a mesh, or one of --nodes, --abaqus, --calculix, --nastran, --ansys"),
         })
     }
 }

@@ -11,8 +11,10 @@ mod arguments;
 mod budget;
 mod campbell;
 mod component_modes;
+mod convert;
 mod describe;
 mod evaluate;
+mod export;
 mod fe_input;
 mod generate;
 mod inspect;
@@ -56,11 +58,13 @@ pub fn run() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Reduce(arguments) => reduce::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
         Command::Linearise(arguments) => linearise::run(&arguments),
         Command::Campbell(arguments) => campbell::run(&arguments),
         Command::Budget(arguments) => budget::run(&arguments),

@@ -20,7 +20,10 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         ("ffrf-model", entry(&[], &["serde", "serde_json", "serde_path_to_error", "thiserror"])),
         (
             "ffrf-fe",
-            entry(&["ffrf-model"], &["faer", "fast-float2", "flate2", "npyz", "sha2", "thiserror", "zip"]),
+            entry(
+                &["ffrf-model"],
+                &["faer", "fast-float2", "flate2", "npyz", "quick-xml", "sha2", "thiserror", "zip"],
+            ),
         ),
         ("ffrf-codegen", entry(&["ffrf-model"], &["proc-macro2", "thiserror"])),
         ("ffrf-macros", entry(&["ffrf-codegen", "ffrf-model"], &["proc-macro2", "quote", "syn"])),
@@ -28,7 +31,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         (
             "ffrf-cli",
             entry(
-                &["ffrf-codegen", "ffrf-fe", "ffrf-host", "ffrf-model"],
+                &["ffrf-codegen", "ffrf-fe", "ffrf-fmu", "ffrf-host", "ffrf-model"],
                 &[
                     "anyhow",
                     "base64",
@@ -50,6 +53,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
                 &["faer", "nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
+        ("ffrf-fmu", entry(&["ffrf-host"], &["sha2", "thiserror"])),
         ("ffrf-python", entry(&["ffrf-cli", "ffrf-host", "ffrf-model"], &["anyhow", "pyo3", "serde_json"])),
         (
             "ffrf-test-kit",

@@ -2,7 +2,7 @@
 
 use ffrf_codegen::mechanism::{JointTopology, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, Level, Plan, Port, Ports,
+    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, KeptModes, Level, Plan, Port,
     Regularisation, SoftLink, Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
@@ -12,7 +12,8 @@ use ffrf_runtime::{
 };
 use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
 
-use super::plan::OwnedPlan;
+use super::plan::{OwnedPlan, keeping};
+use super::ports::HostPorts;
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
@@ -41,6 +42,8 @@ pub struct HostMechanism<T: RealField + Copy = f64> {
     frictions: Vec<JointFriction<T>>,
     forces: Option<Box<Forces<T>>>,
     topology: Topology,
+    /// The bodies that keep their modes as unknowns.
+    keeping: Vec<usize>,
     plan: OwnedPlan,
     /// The plan with soft rows, and the elements that have them.
     soft: Option<(OwnedPlan, Vec<usize>)>,
@@ -66,7 +69,9 @@ impl HostMechanism {
             flexible: flexible.clone(),
             joints: joints.iter().map(|(joint, _)| shape(joint)).collect(),
         };
-        let plan = OwnedPlan::new(&MechanismPlan::new(&topology)?);
+        let modes: Vec<usize> = bodies.iter().map(|(body, _)| body.mode_count()).collect();
+        let (keeping, kept) = keeping(&topology, &modes);
+        let plan = OwnedPlan::with_modes(&MechanismPlan::keeping_modes(&topology, &keeping)?, &kept);
         // redundant rows need loops, which a drive beside its joint does not close
         let undriven = joints.iter().filter(|(_, drive)| drive.is_none());
         let undriven = Topology { flexible, joints: undriven.map(|(joint, _)| shape(joint)).collect() };
@@ -85,6 +90,7 @@ impl HostMechanism {
             frictions: Vec::new(),
             forces: None,
             topology,
+            keeping,
             plan,
             soft: None,
             treatment: Treatment::projection(),
@@ -122,6 +128,7 @@ impl HostMechanism {
             frictions: self.frictions.iter().map(JointFriction::cast).collect(),
             forces: None,
             topology: self.topology.clone(),
+            keeping: self.keeping.clone(),
             plan: self.plan.clone(),
             soft: self.soft.clone(),
             treatment: match self.treatment {
@@ -160,10 +167,17 @@ impl<T: RealField + Copy> HostMechanism<T> {
             })
             .unzip();
         let whole = self.topology.with_soft_links(links);
-        self.soft = match MechanismPlan::new(&whole) {
-            Ok(plan) if !numbers.is_empty() => Some((OwnedPlan::new(&plan), numbers)),
-            _ => None,
+        // soft rows too are many on a hub: one choice for steps with them and without
+        let modes: Vec<usize> = self.bodies.iter().map(HostBody::mode_count).collect();
+        let (keeping, kept) = keeping(&whole, &modes);
+        let plan_of = |topology| {
+            Some(OwnedPlan::with_modes(&MechanismPlan::keeping_modes(topology, &keeping).ok()?, &kept))
         };
+        if let Some(plan) = plan_of(&self.topology) {
+            self.plan = plan;
+        }
+        self.soft = plan_of(&whole).filter(|_| !numbers.is_empty()).map(|plan| (plan, numbers));
+        self.keeping = keeping;
         self
     }
 
@@ -172,6 +186,13 @@ impl<T: RealField + Copy> HostMechanism<T> {
     pub fn with_actuators(mut self, actuators: Vec<ScheduledActuator<T>>) -> Self {
         self.actuators = actuators;
         self
+    }
+
+    /// Lets an actuator follow another input from now on; nothing happens if there is none of that number.
+    pub fn set_actuator_input(&mut self, actuator: usize, input: Drive) {
+        if let Some(actuator) = self.actuators.get_mut(actuator) {
+            actuator.input = input;
+        }
     }
 
     /// The same mechanism with friction that follows the reactions of joints.
@@ -275,22 +296,6 @@ impl<T: RealField + Copy> HostMechanism<T> {
     }
 }
 
-/// The bodies of a mechanism in one state.
-pub struct HostPorts<'a, T: RealField + Copy = f64>(pub Vec<HostPort<'a, T>>);
-
-/// One body of a mechanism in one state.
-pub type HostPort<'a, T = f64> = BodyPort<'a, HostBody<T>, Vec<AttachedRows<HostModal<T>, T>>, T>;
-
-impl<T: RealField + Copy> Ports<T> for HostPorts<'_, T> {
-    fn port(&self, index: usize) -> Option<&dyn Port<T>> {
-        self.0.get(index).map(|port| port as &dyn Port<T>)
-    }
-
-    fn port_mut(&mut self, index: usize) -> Option<&mut dyn Port<T>> {
-        self.0.get_mut(index).map(|port| port as &mut dyn Port<T>)
-    }
-}
-
 impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     type State = Vec<State<HostModal<T>, T>>;
     type Increment = HostIncrement<T>;
@@ -316,8 +321,10 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
                 subtracted: subtracted.and_then(|all| all.0.get(index)),
                 chart: chart.and_then(|all| all.0.get(index)),
             });
-            let rows = vec![AttachedRows::empty(&body.undeformed()); attached_ends[index]];
-            BodyPort::new(body, markers.as_slice(), state, rows, terms)
+            let zeros = body.undeformed();
+            let rows = vec![AttachedRows::empty(&zeros); attached_ends[index]];
+            let kept = self.keeping.contains(&index).then(|| KeptModes::empty(&zeros));
+            BodyPort::keeping(body, markers.as_slice(), state, rows, terms, kept)
         });
         HostPorts(ports.collect())
     }

@@ -183,6 +183,11 @@ impl Scene {
     /// Positions, then velocities, move as little as possible; parts are moved as a whole where that meets the joints.
     /// Errors: [`SceneError::NotAssembled`].
     pub fn assembled(&self) -> Result<(Vec<State<HostModal>>, [f64; 2]), SceneError> {
+        self.assembled_at(0.0)
+    }
+
+    /// The same where drives are at `time` (s).
+    pub fn assembled_at(&self, time: f64) -> Result<(Vec<State<HostModal>>, [f64; 2]), SceneError> {
         let system = Constrained(&self.mechanism);
         let not = |error: ffrf_runtime::StepError| match error {
             ffrf_runtime::StepError::ConstraintsNotMet { joint, residual } => SceneError::NotAssembled {
@@ -191,14 +196,14 @@ impl Scene {
             },
             other => SceneError::Key { key: "bodies".to_owned(), message: other.to_string() },
         };
-        let (state, drift) = system.assemble(0.0, self.initial.clone(), ASSEMBLED).map_err(not)?;
-        self.check_rates(&state)?;
+        let (state, drift) = system.assemble(time, self.initial.clone(), ASSEMBLED).map_err(not)?;
+        self.check_rates(time, &state)?;
         Ok((state, [drift.position, drift.velocity]))
     }
 
-    /// Whether velocities and accelerations of an assembled state meet the joints, relative to what they are sums of.
-    fn check_rates(&self, state: &[State<HostModal>]) -> Result<(), SceneError> {
-        let found = residuals(&self.mechanism, 0.0, state).map_err(|error| SceneError::Key {
+    /// Whether velocities and accelerations of a state that is assembled at `time` (s) meet the joints, relative to what they are sums of.
+    fn check_rates(&self, time: f64, state: &[State<HostModal>]) -> Result<(), SceneError> {
+        let found = residuals(&self.mechanism, time, state).map_err(|error| SceneError::Key {
             key: "bodies".to_owned(),
             message: format!("the initial accelerations: {error}"),
         })?;

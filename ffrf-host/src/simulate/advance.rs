@@ -56,8 +56,8 @@ pub(super) type Stop = Option<(f64, States)>;
 
 /// Where an advance has come to.
 pub(super) enum Reached {
-    /// To the time that was asked for.
-    Sample(States),
+    /// To the time that was asked for; with what the generalised-α method remembers there.
+    Sample(States, Option<AlphaMemory<HostIncrement>>),
     /// To an event that ends the run.
     Stop(f64, States),
 }
@@ -109,6 +109,28 @@ impl Advance {
         }
     }
 
+    /// Where fixed steps are counted from (s), and how many of them have been done since.
+    pub(super) fn grid(&self) -> (f64, u64) {
+        self.grid
+    }
+
+    /// Takes up steps where they were: what [`Advance::grid`] gave, the end of the last whole step (s), and the next (s).
+    pub(super) fn take_up(&mut self, grid: (f64, u64), time: f64, next_step: f64) {
+        (self.grid, self.time, self.next_step) = (grid, time, next_step);
+    }
+
+    /// The same run, whose steps begin anew at a time (s) and state after the last whole step.
+    pub(super) fn restarted(
+        &self,
+        settings: &Settings,
+        time: f64,
+        state: States,
+        memory: Option<AlphaMemory<HostIncrement>>,
+    ) -> Self {
+        let Self { time, grid, state, .. } = Self::new(settings, time, state);
+        Self { time, grid, state, memory, ..self.clone() }
+    }
+
     /// Whether a whole step has ended at `time` (s).
     pub(super) fn is_at(&self, settings: &Settings, time: f64) -> bool {
         match settings.step {
@@ -156,11 +178,12 @@ impl Advance {
         }
         let rest = time - self.time;
         if rest <= SAME_TIME * step {
-            return Ok(Reached::Sample(self.state.clone()));
+            return Ok(Reached::Sample(self.state.clone(), self.memory.clone()));
         }
         self.side_steps += 1;
-        let side = advancing.step(&mut self.memory.clone(), &self.state, self.time, rest);
-        side.map(|(state, _)| Reached::Sample(state)).map_err(|error| (self.time, error))
+        let mut memory = self.memory.clone();
+        let side = advancing.step(&mut memory, &self.state, self.time, rest);
+        side.map(|(state, _)| Reached::Sample(state, memory)).map_err(|error| (self.time, error))
     }
 
     fn controlled_to(
@@ -215,7 +238,7 @@ impl Advance {
                 }
             }
         }
-        Ok(Reached::Sample(side.state))
+        Ok(Reached::Sample(side.state, None))
     }
 
     /// Looks at what is between the last whole step and a time (s) and state after it.

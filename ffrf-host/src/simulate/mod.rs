@@ -2,8 +2,10 @@
 
 mod advance;
 mod check;
+mod co_simulation;
 mod events;
 mod one_step;
+mod point;
 mod run;
 mod sample;
 mod saved_state;
@@ -12,6 +14,7 @@ mod watch;
 
 pub use advance::{Advance, Advancing};
 pub use check::{SceneCheck, check};
+pub use co_simulation::{CoSimulation, Point};
 pub use events::{Ended, Event, EventFunction, Then, run_with_events};
 pub use one_step::States;
 pub(crate) use one_step::{step_in_space, tolerances};

@@ -104,7 +104,7 @@ pub fn simulate(
         let refuse = |(time, error)| refused(time, error);
         let mut look = |step: &Step<'_>| events.look(step);
         let mut reached = advance.to(&advancing, end, &mut look).map_err(refuse)?;
-        if let Reached::Sample(state) = &reached
+        if let Reached::Sample(state, _) = &reached
             && end >= settings.duration
             && !advance.is_at(settings, end)
             && let Some((time, state)) =
@@ -114,7 +114,7 @@ pub fn simulate(
         }
         let stopped = matches!(reached, Reached::Stop(..));
         (time, state) = match reached {
-            Reached::Sample(state) => (end, state),
+            Reached::Sample(state, _) => (end, state),
             Reached::Stop(time, state) => (time, state),
         };
         index += 1.0;
@@ -129,7 +129,7 @@ pub fn simulate(
     Ok(Summary { advance, initial_residuals, end, spin: watch.warnings, events: events.passed })
 }
 
-fn reason(scene: &Scene, error: StepError) -> String {
+pub(super) fn reason(scene: &Scene, error: StepError) -> String {
     match error {
         StepError::ConstraintsNotMet { joint, residual } => {
             let name = scene.connection_names.get(joint).map_or("?", String::as_str);

@@ -32,7 +32,7 @@ pub struct Passed {
 pub(super) struct Watch<'a> {
     scene: &'a Scene,
     /// What is left to the value of each event at the beginning of a step; the last that was not zero.
-    before: Vec<f64>,
+    pub(super) before: Vec<f64>,
     pub(super) passed: Vec<Passed>,
     /// Events at the beginning of a run have been: one that ended the run before it, for example. Units: s.
     begin: f64,
@@ -43,6 +43,11 @@ impl<'a> Watch<'a> {
     pub(super) fn new(scene: &'a Scene, time: f64, state: &States) -> Result<Self, StepError> {
         let before = values(scene, time, state)?;
         Ok(Self { scene, before, passed: Vec::new(), begin: time })
+    }
+
+    /// A watch that goes on: what was left to each value, and where the run began (s).
+    pub(super) fn resumed(scene: &'a Scene, before: Vec<f64>, begin: f64) -> Self {
+        Self { scene, before, passed: Vec::new(), begin }
     }
 
     /// Looks at a step; gives time and state where the run ends.

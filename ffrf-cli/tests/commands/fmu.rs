@@ -1,0 +1,131 @@
+//! `ffrf export fmu` as a user runs it: FMUs that FMPy validates, simulates and compares with `ffrf simulate`.
+//!
+//! FMPy is installed into a folder of the build if python3 and the index of its packages are there; else that is said, and
+//! the test passes.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn ffrf(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ffrf")).args(arguments).output().unwrap()
+}
+
+fn scene(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes").join(name).display().to_string()
+}
+
+/// The version of FMPy that the test was written with.
+const FMPY: &str = "fmpy==0.3.32";
+
+/// A python with FMPy.
+fn python() -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmpy");
+    let python = folder.join("bin/python3");
+    let runs = |command: &mut Command| command.output().is_ok_and(|output| output.status.success());
+    if runs(Command::new(&python).args(["-c", "import fmpy"])) {
+        return Some(python);
+    }
+    let made = runs(Command::new("python3").args(["-m", "venv", "--clear"]).arg(&folder))
+        && runs(Command::new(&python).args(["-m", "pip", "install", "--quiet", FMPY]));
+    if !made {
+        eprintln!("SKIPPED: {FMPY} could not be installed; no FMU was validated");
+        return None;
+    }
+    Some(python)
+}
+
+/// A scene for these tests: shorter than those of `models/scenes`, beside the models that it names.
+fn shortened(folder: &Path, name: &str, changes: &[(&str, &str)]) -> String {
+    let mut text = std::fs::read_to_string(scene(name)).unwrap();
+    for (from, to) in changes {
+        assert!(text.contains(from), "{name} has no {from}");
+        text = text.replace(from, to);
+    }
+    // beside `models`, one folder up, as the scene says
+    let beside = folder.join("scenes");
+    std::fs::create_dir_all(&beside).unwrap();
+    std::fs::copy(scene("../conrod.ffrf.json"), folder.join("conrod.ffrf.json")).unwrap();
+    let path = beside.join(name);
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+#[test]
+fn fmus_are_valid_and_do_what_simulate_does() {
+    let Some(python) = python() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let crank = shortened(folder.path(), "slider_crank.toml", &[("duration = 0.02", "duration = 0.002")]);
+    let pendulum =
+        shortened(folder.path(), "flexible_pendulum.toml", &[("duration = 0.5", "duration = 0.05")]);
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/commands/fmu.py");
+    for path in [crank, pendulum, scene("rotor_run_up.toml"), scene("double_pendulum.toml")] {
+        let samples = folder.path().join("samples.csv").display().to_string();
+        assert!(ffrf(&["simulate", &path, "-o", &samples]).status.success());
+        for version in ["3", "2"] {
+            let fmu = folder.path().join("part.fmu").display().to_string();
+            let run = ffrf(&["export", "fmu", &path, "--fmi", version, "-o", &fmu]);
+            assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+            let run = Command::new(&python).arg(&script).args([&fmu, &samples]).output().unwrap();
+            let text =
+                [run.stdout, run.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+            assert!(run.status.success(), "{path}, FMI {version}: {text}");
+            assert!(text.contains("variables are the same"), "{text}");
+        }
+    }
+}
+
+#[test]
+fn an_fmu_holds_the_scene_and_its_files_and_is_the_same_every_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("part.fmu");
+    let name = path.display().to_string();
+    let export = || {
+        let run = ffrf(&["export", "fmu", &scene("slider_crank.toml"), "-o", &name]);
+        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+        let report = String::from_utf8(run.stdout).unwrap();
+        assert!(
+            report.starts_with("inputs: 0, outputs: 9, parameters: 51, other variables: 53\n"),
+            "{report}"
+        );
+        std::fs::read(&path).unwrap()
+    };
+    let bytes = export();
+    assert_eq!(bytes, export());
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
+    let names: Vec<String> = archive.file_names().map(|name| name.unwrap().into_owned()).collect();
+    let binary = format!(
+        "binaries/{}-{}/slider_crank{}",
+        std::env::consts::ARCH,
+        std::env::consts::OS,
+        std::env::consts::DLL_SUFFIX
+    );
+    assert_eq!(
+        names,
+        ["modelDescription.xml", &binary, "resources/scene.toml", "resources/up/conrod.ffrf.json"]
+    );
+    let mut text = String::new();
+    archive.by_name("resources/scene.toml").unwrap().read_to_string(&mut text).unwrap();
+    assert_eq!(text, std::fs::read_to_string(scene("slider_crank.toml")).unwrap());
+}
+
+#[test]
+fn a_library_that_is_none_is_refused_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let (library, fmu) = (folder.path().join("lib.so"), folder.path().join("part.fmu"));
+    std::fs::write(&library, "no library").unwrap();
+    let run = ffrf(&[
+        "export",
+        "fmu",
+        &scene("flexible_pendulum.toml"),
+        "-o",
+        &fmu.display().to_string(),
+        "--library",
+        &library.display().to_string(),
+    ]);
+    assert_eq!(run.status.code(), Some(1));
+    let text = String::from_utf8(run.stderr).unwrap();
+    assert!(text.contains("lib.so: expected an ffrf-fmu library of version"), "{text}");
+    assert!(!fmu.exists());
+}
