@@ -79,41 +79,47 @@ fn usage(error: &clap::Error) -> String {
     text.trim().trim_start_matches("error: ").to_owned()
 }
 
-/// The body that is asked for, and its checks, which it passes.
-fn reduced(arguments: &Reduce, listener: &mut dyn Listener) -> Result<(ReducedBody, CheckReport)> {
+/// Refuses names of pictures that end otherwise, before the work.
+fn expect_names(arguments: &Reduce) -> Result<()> {
     if let Some(target) = &arguments.view {
         view::expect_ending(target, view::ENDINGS)?;
     }
     if let Some(target) = &arguments.sheet {
         view::expect_ending(target, &[".svg"])?;
     }
+    Ok(())
+}
+
+/// The body that is asked for, and its checks, which it passes.
+fn reduced(arguments: &Reduce, listener: &mut dyn Listener) -> Result<(ReducedBody, CheckReport)> {
+    expect_names(arguments)?;
     let mut model = fe_input::read(&arguments.files, &mut |text| listener.warn(text))?;
     listener.say(&format!("{}\n", fe_input::describe(&model)))?;
     if let Some(remark) = arguments.files.body_units().and_then(fe_input::remark_on_time) {
         listener.say(&format!("{remark}\n"))?;
     }
     let mut options = options(arguments, &model.nodes)?;
-    let (body, basis) = if arguments.interfaces.interfaces.is_empty() {
+    let body = if arguments.interfaces.interfaces.is_empty() {
         with_eigenmodes(arguments, &mut model, &mut options, listener)?
     } else {
         let progress = &mut |progress| listener.progress(progress);
         let (body, basis, text) = component_modes::reduce(&model, arguments, &options, progress)?;
         listener.say(&format!("{text}\n"))?;
-        (body, basis)
+        draw(arguments, &model, &basis, &body, listener)?;
+        body
     };
-    draw(arguments, &model, &basis, &body, listener)?;
     let checks = body.check()?;
     checks.verdict()?;
     Ok((body, checks))
 }
 
-/// The body with eigenmodes or the user's mode shapes, and its basis.
+/// The body with eigenmodes or the user's mode shapes.
 fn with_eigenmodes(
     arguments: &Reduce,
     model: &mut FeModel,
     options: &mut ReductionOptions,
     listener: &mut dyn Listener,
-) -> Result<(ReducedBody, ModeBasis)> {
+) -> Result<ReducedBody> {
     let conversion = arguments.files.conversion();
     let progress = &mut |progress| listener.progress(progress);
     let solution = modes::solve(model, &arguments.choice, None, conversion, progress)?;
@@ -138,7 +144,8 @@ fn with_eigenmodes(
     let support = stiffening::support(model, &arguments.choice)?;
     stiffening::add(&mut body, model, &solution.basis, &support, &arguments.stiffening, conversion)?;
     stress::add(&mut body, model, &solution.basis, arguments)?;
-    Ok((body, solution.basis))
+    draw(arguments, model, &solution.basis, &body, listener)?;
+    Ok(body)
 }
 
 /// Writes the pictures that are asked for.

@@ -34,7 +34,7 @@ def spread(
     study = client.submit(pickle.loads, pickle.dumps(sweep.study), pure=False)
     runs = [client.submit(ffrf.Study.run, study, one, pure=False) for one in missing]
     for batch in as_completed(runs).batches():
-        sweep.keep(*(done.result() for done in batch))
+        sweep.keep([done.result() for done in batch])
         for done in batch:
             # the cluster need not remember it
             done.release()

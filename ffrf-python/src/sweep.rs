@@ -59,7 +59,6 @@ impl Sweep {
         Ok(configurations.into_iter().filter(|one| !known.contains_key(&one.0.key())).collect())
     }
 
-    #[pyo3(signature = (*outcomes))]
     fn keep(&self, py: Python<'_>, outcomes: Vec<Outcome>) -> PyResult<()> {
         let outcomes: Vec<_> = outcomes.into_iter().map(|outcome| outcome.0).collect();
         py.detach(|| self.folder.keep(&outcomes)).map_err(|error| in_file(&self.path, error))

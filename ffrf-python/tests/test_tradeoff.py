@@ -80,9 +80,9 @@ def test_a_folder_holds_the_sweep_of_the_command(rod: Path, study: ffrf.Study, t
     sweep = ffrf.Sweep(rod, folder, quantity=["tip", "energy"], reference_tolerance=1e-8)
     grid = configurations(sweep.study)
     assert sweep.missing(grid) == grid
-    sweep.keep(study.run(grid[0]))
-    sweep.keep(*(study.run(configuration) for configuration in grid[1:5]))
-    sweep.keep()
+    sweep.keep([study.run(grid[0])])
+    sweep.keep([study.run(configuration) for configuration in grid[1:5]])
+    sweep.keep([])
     assert sweep.missing(grid) == grid[5:]
     outcomes = ffrf.tradeoff(
         rod,

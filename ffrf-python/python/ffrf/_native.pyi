@@ -284,7 +284,7 @@ class Sweep:
         """The folder."""
     def missing(self, configurations: Sequence[Configuration]) -> list[Configuration]:
         """Those that have no outcome here yet."""
-    def keep(self, *outcomes: Outcome) -> None:
+    def keep(self, outcomes: Sequence[Outcome]) -> None:
         """Write outcomes, all in one file that is whole or not there."""
     def outcomes(self, configurations: Sequence[Configuration]) -> list[Outcome]:
         """The outcomes that are here, in the order of the configurations."""
