@@ -50,6 +50,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
                 &["faer", "nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
+        ("ffrf-c-interface", entry(&["ffrf"], &[])),
         ("ffrf-fmu", entry(&["ffrf-host"], &["sha2", "thiserror"])),
         (
             "ffrf-test-kit",
