@@ -2,6 +2,7 @@
 
 mod budget;
 mod code;
+mod convert;
 mod export;
 mod interfaces;
 mod linearise;
@@ -13,18 +14,20 @@ mod view;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand};
+use ffrf_fe::elements::Material;
 use ffrf_fe::import::{INFLATED_LIMIT, MassForm};
 use ffrf_fe::reduction::{Damping, DampingBand};
 use ffrf_model::Units;
 
 pub use budget::{Budget, Core, TargetIntegrator, TargetScalar};
 pub use code::{Generate, Inspect};
+pub use convert::Convert;
 pub use export::{Export, ExportFmu, ExportFormat, FmiVersion};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
 pub use simulate::Simulate;
 pub use stiffening::StiffeningChoice;
-pub use tradeoff::{Plan, Tradeoff};
+pub use tradeoff::{Plan, Tradeoff, parse_fidelity, parse_integrator, parse_scalar};
 pub use view::View;
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.
@@ -43,6 +46,9 @@ pub enum Command {
     /// Reduce a finite-element model to a flexible body (*.ffrf.json).
     #[command(after_help = REDUCE_EXAMPLE)]
     Reduce(Reduce),
+    /// Convert a reduced body to or from the format of another multibody program: MBDyn's modal data (*.fem).
+    #[command(after_help = CONVERT_EXAMPLE)]
+    Convert(Convert),
     /// Show what a reduced body holds: modes, checks, layout, operation counts.
     #[command(after_help = INSPECT_EXAMPLE)]
     Inspect(Inspect),
@@ -123,9 +129,17 @@ Examples:
   ffrf reduce --abaqus rod.inp --mass rod_MASS1.mtx --stiffness rod_STIF1.mtx --modes 8 \\
        --marker big_end=17 --damping-ratio 0.01 -o rod.ffrf.json
   ffrf reduce --calculix rod.inp --modes 6 --clamp FIXED -o rod.ffrf.json
+  ffrf reduce rod.msh --material 7850,2.1e11,0.3 --modes 6 -o rod.ffrf.json
+  ffrf reduce --calculix blade.inp --modes 6 --clamp ROOT --geometric-stiffness --stress notch=NOTCH \\
+       --damping-bands 100:0.01,inf:0.1 -o blade.ffrf.json
   ffrf reduce --nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt -o body.ffrf.json
   ffrf reduce --calculix rod.inp --interface HUB=set:BORE,rbe2 --interface PIN=set:SMALL,rbe3 \\
        --basis craig-bampton --modes 20 -o rod.ffrf.json";
+
+const CONVERT_EXAMPLE: &str = "\
+Examples:
+  ffrf convert rod.ffrf.json -o rod.fem
+  ffrf convert rod.fem --units SI -o rod.ffrf.json";
 
 const INSPECT_EXAMPLE: &str = "\
 Example:
@@ -152,13 +166,22 @@ const VERIFY_EXAMPLE: &str = "\
 Example:
   ffrf verify --nodes X.txt --mass M.mtx --stiffness K.mtx --mode-shapes Psi.txt body.ffrf.json
 
-Give the files, units and mode choice that `ffrf reduce` was given.";
+Give the files, units, mode choice and --elastic that `ffrf reduce` was given. With geometric stiffness of a slender part
+that is clamped, static solutions keep fewer digits: --tolerance 1e-6.";
 
 /// The files of a finite-element model.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Finite-element model")]
-#[command(group = ArgGroup::new("node_table").required(true).args(["nodes", "abaqus", "calculix", "ansys"]))]
+#[command(group = ArgGroup::new("node_table").required(true).args(["mesh", "nodes", "abaqus", "calculix", "nastran", "ansys"]))]
 pub struct FeFiles {
+    /// Mesh of gmsh (.msh) or VTK (.vtu) with solid elements, of which --material makes mass and stiffness; physical groups and
+    /// marks of points and cells are node sets.
+    #[arg(value_name = "PART.msh")]
+    pub mesh: Option<PathBuf>,
+    /// Density, Young's modulus and Poisson's ratio of the solids of the mesh, in the units of the mesh.
+    #[arg(long, value_name = "RHO,E,NU", value_parser = parse_material, requires = "mesh", allow_hyphen_values = true,
+          conflicts_with_all = ["mass", "stiffness", "elastic", "nodes", "abaqus", "calculix", "nastran", "ansys"])]
+    pub material: Option<Material>,
     /// Node table, one line `x y z` per node (text or NumPy); nodes are numbered from 0.
     #[arg(long, value_name = "X.txt")]
     pub nodes: Option<PathBuf>,
@@ -168,6 +191,9 @@ pub struct FeFiles {
     /// CalculiX input deck with the nodes; PART.mas, PART.sti and PART.dof are looked for beside it.
     #[arg(long, value_name = "PART.inp")]
     pub calculix: Option<PathBuf>,
+    /// Nastran deck with the grid points; matrices from DMIG entries of a punch file, which may hold both.
+    #[arg(long, value_name = "PART.bdf")]
+    pub nastran: Option<PathBuf>,
     /// ANSYS node table `id x y z`; matrices from *SMAT or *DMAT in Matrix Market form.
     #[arg(long, value_name = "NODES.txt")]
     pub ansys: Option<PathBuf>,
@@ -178,7 +204,7 @@ pub struct FeFiles {
     #[arg(long, value_name = "K.mtx")]
     pub stiffness: Option<PathBuf>,
     /// ANSYS node-to-dof mapping vector.
-    #[arg(long, value_name = "MAPPING.txt", conflicts_with_all = ["nodes", "abaqus", "calculix"])]
+    #[arg(long, value_name = "MAPPING.txt", conflicts_with_all = ["nodes", "abaqus", "calculix", "nastran"])]
     pub mapping: Option<PathBuf>,
     /// What a mass matrix holds whose file does not say it, such as a list without a header: `scalar` (one row a
     /// node) or `full` (three).
@@ -352,6 +378,14 @@ fn parse_mass_form(text: &str) -> Result<MassForm, String> {
     }
 }
 
+fn parse_material(text: &str) -> Result<Material, String> {
+    let number = |part: &str| part.trim().parse::<f64>().map_err(|error| format!("`{part}`: {error}"));
+    match text.split(',').map(number).collect::<Result<Vec<f64>, _>>()?.as_slice() {
+        &[density, youngs_modulus, poisson_ratio] => Ok(Material { density, youngs_modulus, poisson_ratio }),
+        others => Err(format!("expected three numbers, RHO,E,NU, found {}", others.len())),
+    }
+}
+
 fn parse_pair(text: &str) -> Result<(f64, f64), String> {
     let number = |part: &str| part.trim().parse::<f64>().map_err(|error| format!("`{part}`: {error}"));
     let (alpha, beta) = text.split_once(',').ok_or("expected two numbers, ALPHA,BETA")?;
@@ -387,6 +421,9 @@ mod tests {
             "--nodes X.txt --mass M.mtx --stiffness K.mtx --modes 8 --clamp SET -o body.ffrf.json",
             "--abaqus part.inp --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
             "--calculix part.inp --modes 8 -o body.ffrf.json",
+            "part.msh --material 7850,2.1e11,0.3 --modes 8 -o body.ffrf.json",
+            "part.msh --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
+            "--nastran part.bdf --mass part.pch --stiffness part.pch --modes 8 -o body.ffrf.json",
             "--ansys nodes.txt --mapping map.txt --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
             "--nodes X.txt --mass M.mtx --modal-stiffness K_ff --mode-shapes Psi.txt -o body.ffrf.json",
         ];
@@ -415,6 +452,10 @@ mod tests {
         let refused = [
             "--mass M --modes 1 -o b",
             "--nodes X --abaqus p.inp --mass M --modes 1 -o b",
+            "p.msh --abaqus p.inp --mass M --modes 1 -o b",
+            "p.msh --material 7850,2.1e11 --modes 1 -o b",
+            "p.msh --material 7850,2.1e11,0.3 --mass M --modes 1 -o b",
+            "--abaqus p.inp --material 7850,2.1e11,0.3 --modes 1 -o b",
             "--nodes X --mass M -o b",
             "--nodes X --mass M --modes 1",
             "--nodes X --mass M --modes 1 --mode-shapes P -o b",

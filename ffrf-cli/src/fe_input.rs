@@ -10,13 +10,12 @@ use ffrf_fe::{FeModel, Nodes};
 use ffrf_model::{Units, printable};
 
 use crate::arguments::FeFiles;
-use crate::output;
 
 impl FeFiles {
     /// File name of the node table, without its folder and extension.
     pub fn name(&self) -> String {
-        let path =
-            [&self.nodes, &self.abaqus, &self.calculix, &self.ansys].into_iter().find_map(Option::as_deref);
+        let paths = [&self.mesh, &self.nodes, &self.abaqus, &self.calculix, &self.nastran, &self.ansys];
+        let path = paths.into_iter().find_map(Option::as_deref);
         path.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
     }
 
@@ -31,21 +30,25 @@ impl FeFiles {
     }
 
     fn node_source(&self) -> Result<NodeSource> {
-        Ok(match (&self.nodes, &self.abaqus, &self.calculix, &self.ansys) {
+        if let Some(path) = &self.mesh {
+            return Ok(NodeSource::Mesh { path: path.clone(), material: self.material });
+        }
+        Ok(match (&self.nodes, &self.abaqus, &self.calculix, &self.nastran, &self.ansys) {
             (Some(path), ..) => match path.extension().and_then(|extension| extension.to_str()) {
                 Some("npy" | "npz") => NodeSource::Numpy(path.clone()),
                 _ => NodeSource::Text(path.clone()),
             },
             (_, Some(deck), ..) => NodeSource::Abaqus(deck.clone()),
-            (_, _, Some(deck), _) => NodeSource::Calculix(deck.clone()),
+            (_, _, Some(deck), ..) => NodeSource::Calculix(deck.clone()),
+            (.., Some(deck), _) => NodeSource::Nastran(deck.clone()),
             (.., Some(nodes)) => NodeSource::Ansys { nodes: nodes.clone(), mapping: self.mapping.clone() },
-            _ => bail!("give one of --nodes, --abaqus, --calculix, --ansys"),
+            _ => bail!("give a mesh, or one of --nodes, --abaqus, --calculix, --nastran, --ansys"),
         })
     }
 }
 
-/// Reads and checks the model, and converts it if that is asked for. Remarks go to standard error.
-pub fn read(files: &FeFiles) -> Result<FeModel> {
+/// Reads and checks the model, and converts it if that is asked for. Remarks go to `warn`, each with its line's end.
+pub fn read(files: &FeFiles, warn: &mut dyn FnMut(&str)) -> Result<FeModel> {
     let options = ImportOptions {
         mass_form: files.mass_form,
         allow_massless: files.allow_massless,
@@ -59,7 +62,7 @@ pub fn read(files: &FeFiles) -> Result<FeModel> {
     };
     let Import { mut model, notes } = read_model_with(&files, &options)?;
     for note in &notes {
-        output::complain(&format!("{note}\n"));
+        warn(&format!("{note}\n"));
     }
     if let Some(conversion) = conversion {
         conversion.model(&mut model);
@@ -67,10 +70,15 @@ pub fn read(files: &FeFiles) -> Result<FeModel> {
     Ok(model)
 }
 
-/// Warns on standard error of numbers that no solid has in the units of the body.
-pub fn warn_of_units(model: &FeModel, units: Option<Units>, frequency: Option<f64>) {
+/// Warns of numbers that no solid has in the units of the body.
+pub fn warn_of_units(
+    model: &FeModel,
+    units: Option<Units>,
+    frequency: Option<f64>,
+    warn: &mut dyn FnMut(&str),
+) {
     for remark in implausible(model, units, frequency) {
-        output::complain(&format!("warning: {remark}\n"));
+        warn(&format!("warning: {remark}\n"));
     }
 }
 

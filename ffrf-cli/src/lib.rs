@@ -11,6 +11,7 @@ mod arguments;
 mod budget;
 mod campbell;
 mod component_modes;
+mod convert;
 mod describe;
 mod evaluate;
 mod export;
@@ -20,11 +21,12 @@ mod inspect;
 mod linearise;
 mod modes;
 mod output;
-mod plan;
+pub mod plan;
+mod plan_within;
 mod plots;
 mod progress;
-mod reduce;
-mod report;
+pub mod reduce;
+pub mod report;
 mod results;
 mod sample_states;
 mod simulate;
@@ -32,7 +34,7 @@ mod states;
 mod stiffening;
 mod stress;
 mod trade_text;
-mod tradeoff;
+pub mod tradeoff;
 mod verify;
 mod view;
 
@@ -57,6 +59,7 @@ pub fn run() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Reduce(arguments) => reduce::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Generate(arguments) => generate::run(&arguments),
         Command::Evaluate(arguments) => evaluate::run(&arguments),

@@ -1,4 +1,4 @@
-//! From the mode choice on the command line to a mode basis, with its progress on standard error.
+//! From the mode choice on the command line to a mode basis.
 
 use anyhow::{Context, Result, bail};
 use ffrf_fe::FeModel;
@@ -16,6 +16,7 @@ pub fn solve(
     choice: &ModeChoice,
     default_count: Option<usize>,
     conversion: Option<Conversion>,
+    progress: &mut dyn FnMut(Progress),
 ) -> Result<ModeSolution> {
     if let Some(path) = &choice.mode_shapes {
         let mut shapes = read_mode_shapes(path, model.nodes.len())?;
@@ -31,11 +32,10 @@ pub fn solve(
         Some(clamp) => ModeRequest::clamped(count, node_rows(&model.nodes, clamp).context("--clamp")?),
         None => ModeRequest::free_free(count),
     };
-    with_progress(|progress| compute_modes(model, &request, progress))
-        .context("the modes could not be computed")
+    compute_modes(model, &request, progress).context("the modes could not be computed")
 }
 
-/// Runs a computation of modes and tells its progress.
+/// Runs a computation of modes and tells its progress on standard error.
 pub fn with_progress<R>(compute: impl FnOnce(&mut dyn FnMut(Progress)) -> R) -> R {
     let teller = Teller::new();
     compute(&mut |progress| teller.tell(progress))

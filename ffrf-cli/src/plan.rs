@@ -1,69 +1,88 @@
 //! `ffrf plan`: a configuration of a scene for an error that is allowed.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use anyhow::{Context, Result};
-use ffrf_codegen::ScalarType;
-use ffrf_host::scene::Integrator;
 use ffrf_host::tradeoff::{
-    Finding, Pilot, Plan, PlanOptions, Reference, ReferenceOptions, Study, plan, run as run_one,
+    Finding, INSTRUCTIONS_PER_OPERATION, Outcome, Pilot, Plan, PlanOptions, Reference, ReferenceOptions,
+    Study, plan, run as run_one,
 };
 
 use crate::arguments;
-use crate::output;
-use crate::trade_text::{INSTRUCTIONS_PER_OPERATION, describe_reference};
+use crate::trade_text::describe_reference;
+use crate::{output, plan_within};
 
 /// The tolerance of the reference of a measurement over that of the plan.
 const TIGHTER: f64 = 0.1;
 
-/// Runs the command.
-pub fn run(arguments: &arguments::Plan) -> Result<()> {
-    let path = &arguments.scene;
-    let in_scene = || format!("{}", path.display());
-    let study = Study::read(path).with_context(in_scene)?;
-    let options = PlanOptions {
-        error: arguments.error,
-        quantities: arguments.quantity.clone(),
-        integrators: arguments.integrator.clone().unwrap_or_else(|| INTEGRATORS.to_vec()),
-        scalars: arguments.scalar.clone().unwrap_or_else(|| vec![ScalarType::F64, ScalarType::F32]),
-    };
-    let found = plan(&study, &options).with_context(in_scene)?;
-    let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let mut text = describe(&study, &title, &found, arguments.error);
-    if arguments.measure {
-        let tolerance = TIGHTER * found.reference.tolerance;
-        let reference = Reference::compute(&study, &options.quantities, ReferenceOptions { tolerance })
-            .with_context(in_scene)?;
-        let variant = study.variant(found.configuration.modes, &found.configuration.fidelity)?;
-        let outcome = run_one(&study, &variant, &reference, &found.configuration);
-        text.push_str("\nmeasured\n");
-        match outcome.finding {
-            Finding::Failed(reason) => {
-                let _ = writeln!(text, "  failed: {reason}");
-            }
-            Finding::Finished(measured) => {
-                let error = measured.error();
-                let _ = writeln!(
-                    text,
-                    "  error {error:.2e}: {:.2} of the budget, {:.2} of what was predicted; own error of its reference {:.1e}\n  \
-                     {:.3e} operations and {:.2e} s of this machine per simulated second",
-                    error / arguments.error,
-                    error / found.predicted_error,
-                    reference.own_error(),
-                    measured.operations_per_second(),
-                    measured.time
-                );
-            }
-        }
-    }
-    output::write(arguments.output.as_deref(), &text)
+/// A plan, and what there is to say about it.
+pub struct Planned {
+    /// The plan.
+    pub plan: Plan,
+    /// What the command prints.
+    pub text: String,
+    /// The calls of the macros.
+    pub macro_calls: String,
+    /// The run of what is planned, if it was asked for.
+    pub measured: Option<Outcome>,
 }
 
-/// One method for what is not stiff and its fellow of higher order, and two that take stiff modes implicitly.
-const INTEGRATORS: [Integrator; 4] =
-    [Integrator::Rk4, Integrator::Dopri5, Integrator::LinearlyImplicit, Integrator::GeneralizedAlpha];
+/// Runs the command.
+pub fn run(arguments: &arguments::Plan) -> Result<()> {
+    let Some(error) = arguments.error else { return plan_within::run(arguments) };
+    let usual = PlanOptions::usual(error);
+    let options = PlanOptions {
+        quantities: arguments.quantity.clone(),
+        integrators: arguments.integrator.clone().unwrap_or(usual.integrators),
+        scalars: arguments.scalar.clone().unwrap_or(usual.scalars),
+        ..usual
+    };
+    let planned = make(&arguments.scene, &options, arguments.measure)?;
+    output::write(arguments.output.as_deref(), &planned.text)
+}
 
-fn describe(study: &Study, title: &str, plan: &Plan, budget: f64) -> String {
+/// Plans a scene; `measure`: and runs what is planned, against a reference that is more exact than that of the plan.
+///
+/// Errors: the scene, a quantity that it does not have, a budget that nothing keeps.
+pub fn make(path: &Path, options: &PlanOptions, measure: bool) -> Result<Planned> {
+    let in_scene = || format!("{}", path.display());
+    let study = Study::read(path).with_context(in_scene)?;
+    let plan = plan(&study, options).with_context(in_scene)?;
+    let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let macro_calls = study.macro_calls(&title, &plan.configuration);
+    let mut text = describe(&title, &plan, options.error, &macro_calls);
+    let mut measured = None;
+    if measure {
+        let tolerance = TIGHTER * plan.reference.tolerance;
+        let reference = Reference::compute(&study, &options.quantities, ReferenceOptions { tolerance })
+            .with_context(in_scene)?;
+        let variant = study.variant(plan.configuration.modes, &plan.configuration.fidelity)?;
+        let outcome = run_one(&study, &variant, &reference, &plan.configuration);
+        text.push_str(&describe_measured(&outcome, &plan, options.error, reference.own_error()));
+        measured = Some(outcome);
+    }
+    Ok(Planned { plan, text, macro_calls, measured })
+}
+
+fn describe_measured(outcome: &Outcome, plan: &Plan, budget: f64, own_error: f64) -> String {
+    match &outcome.finding {
+        Finding::Failed(reason) => format!("\nmeasured\n  failed: {reason}\n"),
+        Finding::Finished(measured) => {
+            let error = measured.error();
+            format!(
+                "\nmeasured\n  error {error:.2e}: {:.2} of the budget, {:.2} of what was predicted; own error of its \
+                 reference {own_error:.1e}\n  {:.3e} operations and {:.2e} s of this machine per simulated second\n",
+                error / budget,
+                error / plan.predicted_error,
+                measured.operations_per_second(),
+                measured.time
+            )
+        }
+    }
+}
+
+fn describe(title: &str, plan: &Plan, budget: f64, macro_calls: &str) -> String {
     let one = &plan.configuration;
     let [model, steps, rounding, own] = plan.parts;
     let [per_step, per_second] = plan.operations;
@@ -103,7 +122,7 @@ fn describe(study: &Study, title: &str, plan: &Plan, budget: f64) -> String {
             };
         }
     }
-    let _ = writeln!(text, "\n{}", study.macro_calls(title, one).trim_end());
+    let _ = writeln!(text, "\n{}", macro_calls.trim_end());
     for (body, envelope) in &plan.motion.envelopes {
         let _ = writeln!(
             text,

@@ -4,12 +4,6 @@ use std::fmt::Write as _;
 
 use ffrf_host::tradeoff::Reference;
 
-/// Instructions of compiled code per floating-point operation, about.
-///
-/// Source: `benches/instruction_counts.json` over the operations counted here: 5.6 for a pendulum of four modes, 7.3 for a
-/// slider-crank of eight, whose redundant rows are solved more than once.
-pub const INSTRUCTIONS_PER_OPERATION: f64 = 6.0;
-
 /// What the reference is, in words.
 pub fn describe_reference(reference: &Reference) -> String {
     let mut text = format!(

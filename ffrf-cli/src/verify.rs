@@ -27,9 +27,16 @@ pub fn run(arguments: &Verify) -> Result<()> {
     let body = ReducedBody::read(&arguments.model)?;
     let kernels = GeneratedKernels::new(&body, &GenerateOptions::default())
         .with_context(|| format!("{}", arguments.model.display()))?;
-    let model = fe_input::read(&arguments.files)?;
-    let solution =
-        modes::solve(&model, &arguments.choice, Some(body.mode_count()), arguments.files.conversion())?;
+    let model = fe_input::read(&arguments.files, &mut output::complain)?;
+    let solution = modes::with_progress(|progress| {
+        modes::solve(
+            &model,
+            &arguments.choice,
+            Some(body.mode_count()),
+            arguments.files.conversion(),
+            progress,
+        )
+    })?;
     let fields = match &body.geometric_stiffness {
         Some(_) => Some(second_order(&model, &solution.basis, arguments)?),
         None => None,

@@ -108,6 +108,18 @@ pub enum CodegenError {
         /// Name of the scalar type.
         scalar: &'static str,
     },
+    /// The modes depend on rigid motion or on each other more than the digits of the scalar type can tell.
+    #[error(
+        "independence of the modes from rigid motion and from each other: {found:.3e}, must be at least {expected:.1e} in {scalar}: use f64, or other modes"
+    )]
+    TooDependent {
+        /// The share of the kinetic energy of some combination of modes that nothing else expresses.
+        found: f64,
+        /// The least share.
+        expected: f64,
+        /// Name of the scalar type.
+        scalar: &'static str,
+    },
     /// A constant of a kernel is not finite.
     #[error(
         "{kernel}: node {node} is the constant {found:e}, expected a number that is finite in the scalar type of the body"

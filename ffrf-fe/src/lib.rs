@@ -9,6 +9,7 @@ pub mod component_modes;
 mod elasticity;
 pub mod elements;
 mod error;
+pub mod export;
 mod fe_model;
 pub mod formulations;
 pub mod geometric_stiffness;

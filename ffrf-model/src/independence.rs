@@ -2,9 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::Inertia;
 use crate::eigenvalues::{eliminate, schur_complement, smallest_eigenvalue, to_unit_diagonal};
 use crate::tolerances::{INDEPENDENCE, PARTICIPATION, RIGID_PIVOT};
+use crate::{Inertia, ReducedBody};
 
 /// Names of modes that a message lists; of more than these it says how many.
 const LISTED: usize = 6;
@@ -23,6 +23,21 @@ pub(crate) fn independence(inertia: &Inertia) -> Independence {
         None => Independence::NoRotationalInertia,
         // A body without modes has nothing that could depend on rigid motion.
         Some((mass, _)) => Independence::Measured(smallest_eigenvalue(mass).unwrap_or(1.0)),
+    }
+}
+
+impl ReducedBody {
+    /// How independent the modes are: the least share of the kinetic energy of a combination of modes, at q = 0, that neither
+    /// rigid motion nor other modes can express. The mass matrix has a condition number of about its reciprocal.
+    ///
+    /// 1 without modes; `None` if shapes contradict each other, or without rotational inertia about some axis, both of which
+    /// [`check`](Self::check) refuses. Units: 1.
+    pub fn independence_of_modes(&self) -> Option<f64> {
+        self.check_shape().ok()?;
+        match independence(&self.inertia) {
+            Independence::NoRotationalInertia => None,
+            Independence::Measured(share) => Some(share),
+        }
     }
 }
 

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use ffrf_fe::import::{ImportOptions, ModelFiles, NodeSource, read_mode_shapes, read_model_with};
+use ffrf_fe::elements::Material;
+use ffrf_fe::import::{ImportOptions, ModelFiles, NodeSource, read_mbdyn, read_mode_shapes, read_model_with};
 use ffrf_model::ReducedBody;
 
 use crate::Outcome;
@@ -17,7 +18,7 @@ pub struct Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 14] = [
+pub const TARGETS: [Target; 20] = [
     Target {
         name: "deck",
         file: "part.inp",
@@ -28,6 +29,11 @@ pub const TARGETS: [Target; 14] = [
     Target { name: "ansys_nodes", file: "n.txt", read: ansys },
     Target { name: "ansys_mapping", file: "map.txt", read: ansys },
     Target { name: "matrix_market", file: "k.mtx", read: plain },
+    Target { name: "dmig", file: "k.mtx", read: dmig },
+    Target { name: "op4", file: "k.mtx", read: dmig },
+    Target { name: "vtu", file: "part.msh", read: mesh },
+    Target { name: "mesh", file: "part.msh", read: mesh },
+    Target { name: "nastran_deck", file: "part.bdf", read: nastran },
     Target { name: "list", file: "k.mtx", read: plain },
     Target { name: "numpy", file: "k.mtx", read: plain },
     Target { name: "npz", file: "k.mtx", read: plain },
@@ -43,6 +49,7 @@ pub const TARGETS: [Target; 14] = [
         read: |folder| model(folder, NodeSource::Text(folder.join("x.gz"))),
     },
     Target { name: "mode_shapes", file: "psi.txt", read: mode_shapes },
+    Target { name: "mbdyn", file: "body.fem", read: mbdyn },
     Target { name: "model_file", file: "body.ffrf.json", read: body },
 ];
 
@@ -82,7 +89,10 @@ fn write(path: &Path, bytes: &[u8]) {
 fn model(folder: &Path, nodes: NodeSource) -> Outcome {
     let beside = matches!(nodes, NodeSource::Calculix(_));
     let named = |file: &str| (!beside).then(|| folder.join(file));
-    let files = ModelFiles { nodes, mass: named("m.mtx"), stiffness: named("k.mtx") };
+    read(ModelFiles { nodes, mass: named("m.mtx"), stiffness: named("k.mtx") })
+}
+
+fn read(files: ModelFiles) -> Outcome {
     let options = ImportOptions { inflated_limit: 1 << 20, ..ImportOptions::default() };
     match read_model_with(&files, &options) {
         Ok(import) => {
@@ -104,6 +114,19 @@ fn ansys(folder: &Path) -> Outcome {
     model(folder, NodeSource::Ansys { nodes: folder.join("n.txt"), mapping: Some(folder.join("map.txt")) })
 }
 
+fn mesh(folder: &Path) -> Outcome {
+    let nodes = NodeSource::Mesh { path: folder.join("part.msh"), material: Some(Material::STEEL) };
+    read(ModelFiles { nodes, mass: None, stiffness: None })
+}
+
+fn nastran(folder: &Path) -> Outcome {
+    model(folder, NodeSource::Nastran(folder.join("part.bdf")))
+}
+
+fn dmig(folder: &Path) -> Outcome {
+    model(folder, NodeSource::Ansys { nodes: folder.join("n.txt"), mapping: None })
+}
+
 fn mode_shapes(folder: &Path) -> Outcome {
     match read_mode_shapes(&folder.join("psi.txt"), 2) {
         Ok(shapes) => {
@@ -111,6 +134,13 @@ fn mode_shapes(folder: &Path) -> Outcome {
                 (0..shapes.ncols()).all(|column| shapes.col_as_slice(column).iter().all(|x| x.is_finite()));
             Outcome::Dense(shapes.nrows(), shapes.ncols(), finite)
         }
+        Err(error) => Outcome::Refused(error.to_string()),
+    }
+}
+
+fn mbdyn(folder: &Path) -> Outcome {
+    match read_mbdyn(&folder.join("body.fem"), None) {
+        Ok(body) => Outcome::Body(Box::new(body)),
         Err(error) => Outcome::Refused(error.to_string()),
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::modules::{Crate, Module};
-use crate::workspace::metadata;
+use crate::workspace::packages;
 
 /// Between the children of one module: who imports whom, with one import that shows it.
 type Imports = BTreeMap<String, BTreeMap<String, String>>;
@@ -11,8 +11,10 @@ type Imports = BTreeMap<String, BTreeMap<String, String>>;
 #[test]
 fn siblings_import_each_other_in_one_direction() {
     let mut circles = BTreeMap::new();
-    for package in metadata().workspace_packages() {
-        for target in package.targets.iter().filter(|t| t.is_lib() || t.is_bin() || t.is_proc_macro()) {
+    for package in packages() {
+        for target in
+            package.targets.iter().filter(|t| t.is_lib() || t.is_cdylib() || t.is_bin() || t.is_proc_macro())
+        {
             let code = Crate::read(target.src_path.as_std_path());
             for (parent, imports) in imports(&code) {
                 for circle in circles_of(&imports) {

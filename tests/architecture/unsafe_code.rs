@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::workspace::{metadata, root, source_files};
+use crate::workspace::{packages, root, source_files};
 
 /// Crates with a border to C, their sources, and the folder that it is.
 const BORDERS: [(&str, &str, &str); 2] = [
@@ -19,8 +19,10 @@ fn has_unsafe(text: &str) -> bool {
 
 #[test]
 fn every_crate_root_forbids_unsafe_code() {
-    for package in metadata().workspace_packages() {
-        for target in package.targets.iter().filter(|t| t.is_lib() || t.is_bin() || t.is_proc_macro()) {
+    for package in packages() {
+        for target in
+            package.targets.iter().filter(|t| t.is_lib() || t.is_cdylib() || t.is_bin() || t.is_proc_macro())
+        {
             let text = fs::read_to_string(&target.src_path).expect("readable crate root");
             if BORDERS.iter().any(|(name, ..)| *name == package.name.as_str()) {
                 let manifest = fs::read_to_string(&package.manifest_path).expect("readable manifest");

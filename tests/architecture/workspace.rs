@@ -3,15 +3,22 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cargo_metadata::{Metadata, MetadataCommand};
+use cargo_metadata::{Metadata, MetadataCommand, Package};
 
 /// The packages of the workspace, without their dependencies.
 pub fn metadata() -> Metadata {
-    MetadataCommand::new()
-        .manifest_path(root().join("Cargo.toml"))
-        .no_deps()
-        .exec()
-        .expect("cargo metadata runs")
+    metadata_of("Cargo.toml")
+}
+
+/// The packages of the workspace, and that of Python, which is a workspace of its own but keeps the same law.
+pub fn packages() -> Vec<Package> {
+    let both = [metadata(), metadata_of("ffrf-python/Cargo.toml")];
+    both.iter().flat_map(|metadata| metadata.workspace_packages().into_iter().cloned()).collect()
+}
+
+fn metadata_of(manifest: &str) -> Metadata {
+    let mut command = MetadataCommand::new();
+    command.manifest_path(root().join(manifest)).no_deps().exec().expect("cargo metadata runs")
 }
 
 /// The folder of the workspace.

@@ -7,8 +7,9 @@ use crate::row;
 use crate::settings::{Rod, Setting, largest};
 use crate::table::{Figure, Real, Section, below, refused};
 
-/// Of a position 1e9 m away, as often as it enters a residual: both ends, and the turned arms, which are exact beside it.
-const RESOLVED: [f64; 2] = [4.0 * 1.2e-7, 4.0 * 64.0];
+/// Units in the last place of a position 1e9 m away: as often as it enters a residual (both ends, and the turned arms, which are
+/// exact beside it), and as many as a projection leaves, twice 2ε of it.
+const RESOLVED: [f64; 2] = [8.0 * 1.2e-7, 8.0 * 64.0];
 
 pub fn section() -> Section {
     Section {

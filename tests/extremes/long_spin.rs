@@ -18,7 +18,7 @@ pub fn section() -> Section {
     Section {
         title: "Free spin beside the intermediate axis",
         text: "A rigid body (1, 2, 2.5 kg m²) that turns at 1 rad/s about its intermediate axis, a thousandth beside it, flips \
-               over again and again: RK4, 1e5 steps of 0.01 rad. Energy and angular momentum drift as RK4 loses them (f64) or as rounding adds up (f32); the quaternion keeps its norm, which is taken \
+               over again and again: RK4, 1e5 steps of 0.01 rad (1e7 steps, and a flexible rotor over 1e6: [benches/long_runs.md](../benches/long_runs.md)). Energy and angular momentum drift as RK4 loses them (f64) or as rounding adds up (f32); the quaternion keeps its norm, which is taken \
                anew in every step. When it flips is not predictable for longer than the growth of rounding allows: the \
                difference of a start by one unit in the last place grows by a factor of e in 3 s.",
         rows: vec![

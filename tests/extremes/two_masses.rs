@@ -1,6 +1,7 @@
 //! A frame of 1 kg with a mass on a spring in it: one mode, whose vibration is known in closed form.
 
 use ffrf_codegen::fidelity::Fidelity;
+use ffrf_codegen::{GenerateOptions, ScalarType, generate};
 use ffrf_host::{HostBody, HostModal};
 use ffrf_model::{Inertia, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION};
 
@@ -67,10 +68,11 @@ pub fn two_masses(mass: f64, stiffness: f64) -> ReducedBody {
     of_points(&positions, &masses, &[mode], vec![vec![stiffness]])
 }
 
-/// The kernels of a model in a number type, or why it is refused.
+/// The kernels of a model in a number type, or why the generator refuses it.
 pub fn kernels<T: Real>(body: &ReducedBody) -> Result<HostBody<T>, String> {
-    let verdict = body.check().and_then(|report| report.verdict());
-    verdict.map_err(|error| error.to_string())?;
+    let scalar = if T::SINGLE { ScalarType::F32 } else { ScalarType::F64 };
+    let options = GenerateOptions { name: "Body".to_owned(), scalar, ..GenerateOptions::default() };
+    generate(body, &options).map_err(|error| error.to_string())?;
     Ok(HostBody::new(body, &Fidelity::Full).cast())
 }
 

@@ -302,6 +302,9 @@ const _: () = {
                 bodies: &BODIES,
                 joints: &JOINTS,
                 shared: &SHARED,
+                modes: &[],
+                modal_ends: &[],
+                modal_pairs: &[],
             }
         }
         fn connections(&self) -> &[::ffrf::mechanism::Connection<f64>] {

@@ -9,3 +9,4 @@ mod lever_arms;
 mod models;
 mod parameter_lanes;
 mod reference_bodies;
+mod shaft;

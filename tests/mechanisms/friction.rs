@@ -195,8 +195,8 @@ fn methods_keep_their_order_with_friction() {
     let order = measured_order(200, 2, |steps| {
         apart(&run(steps, &|system, state, t, h| step_linearly_implicit(system, state, t, h).unwrap().0))
     });
-    // the reaction of a stage is of first order where modes give way, and friction follows it
-    assert!(order > 1.0 - SLOPE, "linearly implicit: {order}");
+    // the reaction of a stage is of first order where modes give way: friction follows an extrapolated one
+    assert!(order > 2.0 - SLOPE, "linearly implicit: {order}");
 }
 
 #[test]

@@ -3,8 +3,9 @@
 
 use std::hint::black_box;
 
-use ffrf::System;
 use ffrf::mechanism::{Assembly, Constrained, Mechanism};
+use ffrf::nalgebra::{UnitQuaternion, Vector3};
+use ffrf::{StepError, StepReport, System};
 
 ffrf::flexible_body! {
     /// The connecting rod with eight modes.
@@ -104,6 +105,25 @@ ffrf::mechanism! {
     }
 }
 
+/// So many arms on a flexible hub with eight modes.
+macro_rules! flexible_star {
+    ($name:ident $count:literal) => {
+        ffrf::mechanism! {
+            pub struct $name {
+                bodies: { hub: Rod, arms: [Link; $count] },
+                gravity: [0.0, -9.81, 0.0],
+                joints: {
+                    center: revolute(ground, hub.BIG_END, axis: z),
+                    roots: for i in 0..$count { revolute(hub.SMALL_END, arms[i].BIG_END, axis: z) },
+                },
+            }
+        }
+    };
+}
+flexible_star!(FlexibleStar4 4);
+flexible_star!(FlexibleStar16 16);
+flexible_star!(FlexibleStar64 64);
+
 ffrf::mechanism! {
     /// A binary tree of five levels.
     pub struct Tree31 {
@@ -118,13 +138,18 @@ ffrf::mechanism! {
     }
 }
 
-const NAMES: [&str; 9] = [
+const NAMES: [&str; 14] = [
     "slider_crank_m8",
+    "slider_crank_m8_step_rk4",
+    "slider_crank_m8_step_linearly_implicit",
     "chain_m4_n1",
     "chain_m4_n2",
     "chain_m4_n8",
     "chain_m4_n64",
     "star_m4_n16",
+    "flexible_star_m8_n4",
+    "flexible_star_m8_n16",
+    "flexible_star_m8_n64",
     "tree_m4_n31",
     "pendulum_rigid_n8",
     "pendulum_rigid_n64",
@@ -148,14 +173,54 @@ macro_rules! rest {
     }};
 }
 
+/// Rate of the crank that drives a slider-crank. Units: rad/s.
+const RATE: f64 = 150.0;
+/// Step size. Units: s.
+const STEP: f64 = 1e-4;
+
+/// The slider-crank half a right angle from stretched, in motion; the joints are met.
+fn turning() -> Mechanism<SliderCrank> {
+    let model = SliderCrank::new(Rod);
+    let mut state = model.at_rest();
+    let crank = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.5);
+    state.crank.orientation = crank;
+    state.crank.angular_velocity.z = RATE;
+    state.rod.position = crank * Vector3::new(0.04, 0.0, 0.0) + Vector3::new(0.047, 0.0, 0.0);
+    state.piston.position.x = 0.18;
+    let mut mechanism = model.in_motion(state);
+    assert!(mechanism.assemble().is_ok());
+    mechanism
+}
+
+/// Steps that follow each other.
+#[inline(never)]
+fn advance(
+    mut mechanism: Mechanism<SliderCrank>,
+    calls: usize,
+    step: impl Fn(&mut Mechanism<SliderCrank>, f64) -> Result<StepReport, StepError>,
+) {
+    for _ in 0..calls {
+        assert!(step(black_box(&mut mechanism), STEP).is_ok());
+    }
+}
+
 fn call(name: &str, calls: usize) -> Option<()> {
     match name {
         "slider_crank_m8" => rest!(SliderCrank::new(Rod), calls),
+        "slider_crank_m8_step_rk4" => {
+            advance(turning(), calls, |mechanism, step| mechanism.step_rk4(0.01 * step))
+        }
+        "slider_crank_m8_step_linearly_implicit" => {
+            advance(turning(), calls, Mechanism::step_linearly_implicit);
+        }
         "chain_m4_n1" => rest!(Chain1::new(Link), calls),
         "chain_m4_n2" => rest!(Chain2::new([Link; 2]), calls),
         "chain_m4_n8" => rest!(Chain8::new([Link; 8]), calls),
         "chain_m4_n64" => rest!(Chain64::new([Link; 64]), calls),
         "star_m4_n16" => rest!(Star16::new([Link; 16]), calls),
+        "flexible_star_m8_n4" => rest!(FlexibleStar4::new(Rod, [Link; 4]), calls),
+        "flexible_star_m8_n16" => rest!(FlexibleStar16::new(Rod, [Link; 16]), calls),
+        "flexible_star_m8_n64" => rest!(FlexibleStar64::new(Rod, [Link; 64]), calls),
         "tree_m4_n31" => rest!(Tree31::new([Link; 31]), calls),
         "pendulum_rigid_n8" => rest!(Pendulum8::new(), calls),
         "pendulum_rigid_n64" => rest!(Pendulum64::new(), calls),

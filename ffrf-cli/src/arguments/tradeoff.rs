@@ -47,8 +47,18 @@ pub struct Plan {
     /// Scene file (TOML).
     pub scene: PathBuf,
     /// The budget: the largest error over time, over the scale of each quantity.
-    #[arg(long, value_name = "ERROR", value_parser = parse_positive)]
-    pub error: f64,
+    #[arg(long, value_name = "ERROR", value_parser = parse_positive, required_unless_present = "time_per_step")]
+    pub error: Option<f64>,
+    /// The budget: the time that one step may take on the target (s); with `--operations-per-second`.
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, conflicts_with = "error", requires = "operations_per_second")]
+    pub time_per_step: Option<f64>,
+    /// Floating-point operations of compiled code that the target does in a second: its clock over cycles per instruction and
+    /// about six instructions for each operation.
+    #[arg(long, value_name = "RATE", value_parser = parse_positive, requires = "time_per_step")]
+    pub operations_per_second: Option<f64>,
+    /// The step with `--time-per-step`, the period of a control loop (s; default: the step of the scene).
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, requires = "time_per_step")]
+    pub step: Option<f64>,
     /// Take errors in this: a sensor, `reaction` (all joints) or `energy`. Repeatable (default: every sensor).
     #[arg(long, value_name = "QUANTITY")]
     pub quantity: Vec<Quantity>,
@@ -66,16 +76,19 @@ pub struct Plan {
     pub output: Option<PathBuf>,
 }
 
-fn parse_fidelity(text: &str) -> Result<Fidelity, String> {
+/// A level, or terms separated by commas.
+pub fn parse_fidelity(text: &str) -> Result<Fidelity, String> {
     text.trim().parse().map_err(|error: ffrf_codegen::fidelity::FidelityError| error.to_string())
 }
 
-fn parse_scalar(text: &str) -> Result<ScalarType, String> {
+/// The name of a number type.
+pub fn parse_scalar(text: &str) -> Result<ScalarType, String> {
     let found = ScalarType::from_name(text.trim()).filter(|scalar| *scalar != ScalarType::Generic);
     found.ok_or_else(|| "expected f64 or f32".to_owned())
 }
 
-fn parse_integrator(text: &str) -> Result<Integrator, String> {
+/// The name of an integrator, as in scene files.
+pub fn parse_integrator(text: &str) -> Result<Integrator, String> {
     let found = Integrator::ALL.iter().find(|(name, _)| *name == text.trim());
     let known = || Integrator::ALL.map(|(name, _)| name).join(", ");
     found.map(|(_, integrator)| *integrator).ok_or_else(|| format!("expected one of {}", known()))

@@ -1,11 +1,11 @@
 //! The results as one page for a browser: the data in it, and what draws and filters them.
 
 use anyhow::Result;
-use ffrf_host::tradeoff::{Finding, Reference};
+use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 use serde::Serialize;
 
 use super::row::Row;
-use crate::trade_text::{INSTRUCTIONS_PER_OPERATION, describe_reference};
+use crate::trade_text::describe_reference;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
@@ -95,8 +95,8 @@ fn row_data(row: &Row<'_>) -> RowData {
         operations: measured.operations_per_second(),
         operations_per_step: measured.operations_per_step(),
         instructions_per_step: INSTRUCTIONS_PER_OPERATION * measured.operations_per_step(),
-        data: row.data_bytes().unwrap_or(0),
-        stack: row.stack_bytes().unwrap_or(0),
+        data: row.outcome.data_bytes().unwrap_or(0),
+        stack: row.outcome.stack_bytes().unwrap_or(0),
     });
     RowData {
         modes: one.modes,

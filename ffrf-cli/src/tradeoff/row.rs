@@ -1,7 +1,6 @@
 //! One line of the results: names and numbers of an outcome.
 
-use ffrf_codegen::ScalarType;
-use ffrf_host::tradeoff::{Finding, Measured, Outcome, front};
+use ffrf_host::tradeoff::{Measured, Outcome, front};
 
 /// What is shown of an outcome.
 pub struct Row<'a> {
@@ -13,34 +12,15 @@ pub struct Row<'a> {
 impl Row<'_> {
     /// Errors and cost, of a run that reached its end.
     pub fn measured(&self) -> Option<&Measured> {
-        match &self.outcome.finding {
-            Finding::Finished(measured) => Some(measured),
-            Finding::Failed(_) => None,
-        }
-    }
-
-    /// Size of a number. Units: bytes.
-    fn number_size(&self) -> usize {
-        if self.outcome.configuration.scalar == ScalarType::F32 { 4 } else { 8 }
-    }
-
-    /// Numbers of the bodies in compiled code. Units: bytes.
-    pub fn data_bytes(&self) -> Option<usize> {
-        self.measured().map(|measured| measured.cost.constants * self.number_size())
-    }
-
-    /// What a step keeps on the stack, estimated. Units: bytes.
-    pub fn stack_bytes(&self) -> Option<usize> {
-        self.measured().map(|measured| measured.cost.stack_numbers * self.number_size())
+        self.outcome.measured()
     }
 }
 
 /// All outcomes, with those marked that nothing beats.
 pub fn rows(outcomes: &[Outcome]) -> Vec<Row<'_>> {
     let points = |cost: fn(&Measured) -> f64| -> Vec<(f64, f64)> {
-        let point = |outcome: &Outcome| match &outcome.finding {
-            Finding::Finished(measured) => (cost(measured), measured.error()),
-            Finding::Failed(_) => (f64::NAN, f64::NAN),
+        let point = |outcome: &Outcome| {
+            outcome.measured().map_or((f64::NAN, f64::NAN), |measured| (cost(measured), measured.error()))
         };
         outcomes.iter().map(point).collect()
     };

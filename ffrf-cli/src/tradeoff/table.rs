@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use ffrf_host::tradeoff::{Finding, Reference};
+use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 
 use super::row::Row;
-use crate::trade_text::{INSTRUCTIONS_PER_OPERATION, describe_reference};
+use crate::trade_text::describe_reference;
 
 /// A table for people, the cheapest first; what failed stands at its end.
 pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>]) -> String {
@@ -50,8 +50,8 @@ pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>]) -> String {
             measured.operations_per_second(),
             measured.operations_per_step(),
             INSTRUCTIONS_PER_OPERATION * measured.operations_per_step(),
-            row.data_bytes().unwrap_or(0),
-            row.stack_bytes().unwrap_or(0),
+            row.outcome.data_bytes().unwrap_or(0),
+            row.outcome.stack_bytes().unwrap_or(0),
         );
         let _ = writeln!(text, "{}", line.trim_end());
     }
@@ -120,8 +120,8 @@ pub fn csv(reference: &Reference, rows: &[Row<'_>]) -> String {
                     measured.evaluations,
                     measured.operations_per_step(),
                     INSTRUCTIONS_PER_OPERATION * measured.operations_per_step(),
-                    row.data_bytes().unwrap_or(0),
-                    row.stack_bytes().unwrap_or(0),
+                    row.outcome.data_bytes().unwrap_or(0),
+                    row.outcome.stack_bytes().unwrap_or(0),
                     u8::from(row.on_front[0]),
                     u8::from(row.on_front[1])
                 );

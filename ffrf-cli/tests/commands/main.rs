@@ -1,16 +1,19 @@
 //! The command as a user runs it: one file for each way to use it, in a folder of its own (`workbench`).
 
 mod bad_input;
+mod convert;
 mod doors;
 mod exports;
 mod fmu;
 mod inspect;
 mod linearise;
+mod meshes;
 mod outputs;
 mod program;
 mod reference_cases;
 mod simulate;
 mod simulate_outputs;
+mod stiffening;
 mod tradeoff;
 mod view;
 mod workbench;

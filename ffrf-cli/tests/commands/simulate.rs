@@ -132,6 +132,40 @@ fn what_is_wrong_in_a_scene_is_named() {
 }
 
 #[test]
+fn a_stiff_spring_is_named_by_the_step_that_it_allows() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("scene.toml");
+    // a body of 1 kg on a spring of 1e8 N/m: 2√2 / 1e4 s
+    let text = r#"
+        [simulation]
+        duration = 1.0
+        step = 1e-3
+        gravity = [0.0, 0.0, -9.81]
+        [bodies.bob]
+        mass = 1.0
+        inertia = [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]]
+        position = [0.0, 0.0, -1.0]
+        [joints.guide]
+        kind = "prismatic"
+        first = "ground"
+        second = "bob"
+        [forces.spring]
+        kind = "spring"
+        first = "ground"
+        second = "bob"
+        stiffness = 1e8
+        rest = 1.0
+    "#;
+    std::fs::write(&file, text).unwrap();
+    let output = folder.path().join("out.csv").display().to_string();
+    let run = ffrf(&["simulate", &file.display().to_string(), "-o", &output]);
+    assert!(!run.status.success());
+    let said = String::from_utf8_lossy(&run.stderr);
+    assert!(said.contains("the step is too large") || said.contains("grown absurd"), "{said}");
+    assert!(said.contains("allow `rk4` steps of at most 2.820e-4 s"), "{said}");
+}
+
+#[test]
 fn an_explicit_step_that_is_too_long_is_told_the_longest() {
     let folder = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(scene("flexible_pendulum.toml")).unwrap();

@@ -1,4 +1,8 @@
-//! The order of elimination of least cost, found greedily.
+//! The order of elimination of least cost among several that are found greedily.
+//!
+//! What costs least next is not what costs least in all: a body that goes early is diagonal if it is rigid, and is spared in
+//! refinements if it goes before every joint. So bodies are given several advantages over joints, and the order whose
+//! factorisation and solutions cost least is taken.
 //!
 //! Nodes are bodies (six unknowns) and joints (their rows). Eliminating a node couples all its neighbours. For chains, trees
 //! and stars the order found costs a number of operations linear in the bodies: leaves go first, a hub last.
@@ -7,12 +11,20 @@
 //! the bodies that went before if each has one of these for its own: ten rows of two joints on one rigid body are not. So a
 //! joint goes when it finds a body that no earlier joint needs ([`Owners`]), or when every body that it is coupled to has
 //! gone: then its block is what it would be at the very end.
+//!
+//! Modes are eliminated before everything else, inside their body, which couples all joints on it: for a body with many
+//! joints that is dense. A body that keeps its modes has a node of its own for them instead, coupled to its frame and its
+//! joints, which goes when it is cheapest: after the arms of a hub, whose joints then stay apart.
 
 use std::collections::BTreeSet;
 
 use super::Topology;
 
-/// The nodes of a mechanism with who is coupled to whom: bodies first, then joints.
+/// Unknowns of the modes of one body, where they are kept; how many there are is not known yet.
+const ASSUMED_MODES: usize = 6;
+
+/// The nodes of a mechanism with who is coupled to whom: bodies first, then joints, then the modes of those bodies that
+/// keep them.
 #[derive(Debug, Clone)]
 pub(super) struct Couplings {
     /// Unknowns of each node.
@@ -22,17 +34,35 @@ pub(super) struct Couplings {
 }
 
 impl Couplings {
-    pub(super) fn of(topology: &Topology) -> Self {
+    /// `keeping`: the bodies that keep their modes.
+    pub(super) fn of(topology: &Topology, keeping: &[usize]) -> Self {
         let bodies = topology.flexible.len();
-        let sizes: Vec<usize> =
-            (0..bodies).map(|_| 6).chain(topology.joints.iter().map(|joint| joint.rows)).collect();
+        let of_joints = topology.joints.iter().map(|joint| joint.rows);
+        let sizes: Vec<usize> = std::iter::repeat_n(6, bodies)
+            .chain(of_joints)
+            .chain(std::iter::repeat_n(ASSUMED_MODES, keeping.len()))
+            .collect();
+        let modes_of = |body: usize| {
+            keeping
+                .iter()
+                .position(|keeps| *keeps == body)
+                .map(|index| bodies + topology.joints.len() + index)
+        };
         let mut couplings = Self { neighbours: vec![BTreeSet::new(); sizes.len()], sizes };
+        for body in keeping {
+            if let Some(modes) = modes_of(*body) {
+                couplings.couple(modes, *body);
+            }
+        }
         for (joint, shape) in topology.joints.iter().enumerate() {
             for body in shape.ends.iter().flatten() {
                 couplings.couple(bodies + joint, *body);
+                if let Some(modes) = modes_of(*body) {
+                    couplings.couple(bodies + joint, modes);
+                }
             }
             for (other, shape_of_other) in topology.joints.iter().enumerate().take(joint) {
-                let flexible = |body: &&usize| topology.flexible[**body];
+                let flexible = |body: &&usize| topology.flexible[**body] && !keeping.contains(body);
                 if shape
                     .ends
                     .iter()
@@ -105,29 +135,72 @@ impl Owners<'_> {
     }
 }
 
+/// What bodies cost beside joints in the choice of the next node, in quarters.
+const PRICES_OF_BODIES: [usize; 5] = [4, 3, 2, 1, 0];
+
 /// The nodes in their order, each with the nodes that it is coupled to when its turn comes.
-pub(super) fn order(topology: &Topology) -> Vec<(usize, Vec<usize>)> {
+pub(super) type Order = Vec<(usize, Vec<usize>)>;
+
+/// The cheapest order. `keeping`: the bodies that keep their modes.
+pub(super) fn order(topology: &Topology, keeping: &[usize]) -> Order {
+    let orders = PRICES_OF_BODIES.map(|price| greedy(topology, keeping, price));
+    let cheapest = orders.into_iter().min_by_key(|order| cost(topology, keeping, order));
+    cheapest.unwrap_or_default()
+}
+
+/// Multiply-adds of a factorisation, a solution, and one refinement where rows may be redundant.
+fn cost(topology: &Topology, keeping: &[usize], order: &Order) -> usize {
+    let sizes = Couplings::of(topology, keeping).sizes;
+    let joints = topology.flexible.len()..topology.flexible.len() + topology.joints.len();
+    let refined = topology.has_loops();
+    let (mut cost, mut joints_began) = (0, false);
+    let mut changed = vec![false; sizes.len()];
+    for (node, neighbours) in order {
+        joints_began |= joints.contains(node);
+        let (own, others) = (sizes[*node], neighbours.iter().map(|other| sizes[*other]).sum::<usize>());
+        let (factor, halves) = if !changed[*node] && topology.flexible.get(*node) == Some(&false) {
+            (own * others, 0)
+        } else {
+            (own * own * own / 6 + own * own * others / 2, own * own)
+        };
+        let solution = halves + 2 * own * others;
+        cost += factor + own * others * (others + 1) / 2 + solution;
+        if refined && joints_began {
+            cost += solution;
+        }
+        for other in neighbours {
+            changed[*other] = true;
+        }
+    }
+    cost
+}
+
+/// The order in which the cheapest node goes next; `price`: of bodies.
+fn greedy(topology: &Topology, keeping: &[usize], price: usize) -> Order {
     let bodies = topology.flexible.len();
-    let mut couplings = Couplings::of(topology);
+    let joints = bodies..bodies + topology.joints.len();
+    let mut couplings = Couplings::of(topology, keeping);
     let mut owners = Owners { topology, gone: vec![false; bodies], joint_of: vec![None; bodies] };
     let mut left: BTreeSet<usize> = (0..couplings.sizes.len()).collect();
     let mut order = Vec::with_capacity(left.len());
     loop {
         let ready = |node: &usize| {
-            *node < bodies
-                || couplings.neighbours[*node].iter().all(|other| *other >= bodies)
+            !joints.contains(node)
+                || couplings.neighbours[*node].iter().all(|other| joints.contains(other))
                 || owners.has_one_for(*node - bodies)
         };
         // the cheapest first: whether a joint may go is asked in the order of cost
         let mut by_cost: Vec<usize> = left.iter().copied().collect();
-        by_cost.sort_by_key(|node| (couplings.cost(*node), *node));
+        by_cost.sort_by_key(|node| {
+            let share = if *node < bodies { price } else { PRICES_OF_BODIES[0] };
+            (share * couplings.cost(*node), *node)
+        });
         let Some(next) = by_cost.into_iter().find(ready) else { break };
         left.remove(&next);
-        match next.checked_sub(bodies) {
-            None => owners.gone[next] = true,
-            Some(joint) => {
-                owners.give(joint, &mut BTreeSet::new());
-            }
+        if joints.contains(&next) {
+            owners.give(next - bodies, &mut BTreeSet::new());
+        } else if let Some(gone) = owners.gone.get_mut(next) {
+            *gone = true;
         }
         order.push((next, couplings.eliminate(next)));
     }

@@ -9,6 +9,7 @@ mod topology;
 pub use known_force::soft_row_count;
 pub use known_joint::{KNOWN_JOINTS, KnownJoint};
 pub use places::{
-    BlockPlace, BodyPlace, CouplingPlace, EndPlace, JointPlace, MechanismPlan, SharedPlace, StepPlace,
+    BlockPlace, BodyPlace, CouplingPlace, EndPlace, JointPlace, MechanismPlan, ModalEndPlace, ModesPlace,
+    SharedPlace, StepPlace,
 };
-pub use topology::{JointTopology, Topology, TopologyError};
+pub use topology::{Hub, JointTopology, Topology, TopologyError};

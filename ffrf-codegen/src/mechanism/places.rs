@@ -86,6 +86,30 @@ pub struct SharedPlace {
     pub block: BlockPlace,
 }
 
+/// The modes of a body as a node, where they are kept as unknowns; as many as one block has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ModesPlace {
+    /// The body.
+    pub body: usize,
+    /// The node.
+    pub node: usize,
+    /// Diagonal block.
+    pub diagonal: usize,
+    /// The block of modes and frame; `transposed` if the frame is eliminated first.
+    pub frame: BlockPlace,
+}
+
+/// One end of a joint on a body that keeps its modes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ModalEndPlace {
+    /// The body.
+    pub body: usize,
+    /// Which of the ends of joints on the body this is.
+    pub slot: usize,
+    /// The block of modes and joint.
+    pub block: BlockPlace,
+}
+
 /// The whole layout of a mechanism's equations.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MechanismPlan {
@@ -101,11 +125,15 @@ pub struct MechanismPlan {
     pub joints: Vec<JointPlace>,
     /// Pairs of joints on one flexible body.
     pub shared: Vec<SharedPlace>,
-    /// Number of bodies that come before any joint.
+    /// The modes of bodies that keep them.
+    pub modes: Vec<ModesPlace>,
+    /// Ends of joints on these bodies.
+    pub modal_ends: Vec<ModalEndPlace>,
+    /// Number of nodes that come before any joint.
     pub leading: usize,
     /// Number of blocks.
     pub block_count: usize,
-    /// Number of nodes: bodies, then joints.
+    /// Number of nodes: bodies, then joints, then modes.
     pub node_count: usize,
     /// Number of ends of joints on each body.
     pub attached_ends: Vec<usize>,
@@ -114,10 +142,16 @@ pub struct MechanismPlan {
 impl MechanismPlan {
     /// The layout of a mechanism. Errors: see [`TopologyError`].
     pub fn new(topology: &Topology) -> Result<Self, TopologyError> {
+        Self::keeping_modes(topology, &[])
+    }
+
+    /// The layout where these bodies keep their modes as unknowns: one node each, as if there were not more modes than a
+    /// block has. The runtime makes room for more (`mechanism::KeptPlan`). Errors: see [`TopologyError`].
+    pub fn keeping_modes(topology: &Topology, keeping: &[usize]) -> Result<Self, TopologyError> {
         topology.check()?;
         let bodies = topology.flexible.len();
-        let sizes = Couplings::of(topology).sizes;
-        let order = order(topology);
+        let sizes = Couplings::of(topology, keeping).sizes;
+        let order = order(topology, keeping);
         let mut turn = vec![0; sizes.len()];
         for (position, (node, _)) in order.iter().enumerate() {
             turn[*node] = position;
@@ -171,10 +205,26 @@ impl MechanismPlan {
             });
             joints.push(JointPlace { rows: joint.rows, node, diagonal: blocks[&(node, node)], ends });
         }
+        let mut modes = Vec::with_capacity(keeping.len());
+        let mut modal_ends = Vec::new();
+        for (index, body) in keeping.iter().enumerate() {
+            let node = bodies + topology.joints.len() + index;
+            let (diagonal, frame) = (blocks[&(node, node)], block(*body, node));
+            modes.push(ModesPlace { body: *body, node, diagonal, frame });
+            for joint in &joints {
+                let ends = joint.ends.iter().flatten().filter(|end| end.body == *body);
+                modal_ends.extend(ends.map(|end| ModalEndPlace {
+                    body: *body,
+                    slot: end.slot,
+                    block: block(joint.node, node),
+                }));
+            }
+        }
+        let eliminated = |body: usize| topology.flexible[body] && !keeping.contains(&body);
         let mut shared = Vec::new();
         for (index, joint) in joints.iter().enumerate() {
             for (other, joint_of_other) in joints.iter().enumerate().take(index) {
-                for end in joint.ends.iter().flatten().filter(|end| topology.flexible[end.body]) {
+                for end in joint.ends.iter().flatten().filter(|end| eliminated(end.body)) {
                     for end_of_other in
                         joint_of_other.ends.iter().flatten().filter(|other| other.body == end.body)
                     {
@@ -188,7 +238,8 @@ impl MechanismPlan {
                 }
             }
         }
-        let leading = order.iter().take_while(|(node, _)| *node < bodies).count();
+        let is_joint = |node: usize| (bodies..bodies + topology.joints.len()).contains(&node);
+        let leading = order.iter().take_while(|(node, _)| !is_joint(*node)).count();
         let bodies =
             (0..bodies).map(|body| BodyPlace { node: body, diagonal: blocks[&(body, body)] }).collect();
         Ok(Self {
@@ -198,6 +249,8 @@ impl MechanismPlan {
             bodies,
             joints,
             shared,
+            modes,
+            modal_ends,
             leading,
             block_count,
             node_count: sizes.len(),

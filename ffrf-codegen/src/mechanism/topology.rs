@@ -14,6 +14,30 @@ pub struct Topology {
     pub joints: Vec<JointTopology>,
 }
 
+/// The fewest ends of joints on a body that may keep its modes as unknowns.
+const ENDS_OF_HUB: usize = 4;
+/// A body with more ends of joints keeps its modes, however many there are: couplings of all pairs of joints would be a long
+/// list.
+const MOST_ENDS_ELIMINATED: usize = 16;
+
+/// A flexible body with so many joints that its modes may be kept as unknowns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Hub {
+    /// The body.
+    pub body: usize,
+    /// Ends of joints on it.
+    pub ends: usize,
+    /// Rows of these.
+    pub rows: usize,
+}
+
+impl Hub {
+    /// Whether its modes are kept however many there are.
+    pub fn always_keeps(&self) -> bool {
+        self.ends > MOST_ENDS_ELIMINATED
+    }
+}
+
 /// A joint between two bodies, or a body and the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct JointTopology {
@@ -81,6 +105,21 @@ impl Topology {
             }
         }
         Ok(())
+    }
+
+    /// The flexible bodies with many joints. Those of a mechanism with soft links are those of the whole.
+    pub fn hubs(&self) -> Vec<Hub> {
+        let flexible = self.flexible.iter().enumerate().filter(|(_, flexible)| **flexible);
+        let counted = flexible.map(|(body, _)| {
+            let here = |joint: &&JointTopology| joint.ends.contains(&Some(body));
+            let (ends, rows) = self
+                .joints
+                .iter()
+                .filter(here)
+                .fold((0, 0), |(ends, rows), joint| (ends + 1, rows + joint.rows));
+            Hub { body, ends, rows }
+        });
+        counted.filter(|hub| hub.ends >= ENDS_OF_HUB).collect()
     }
 
     /// Whether bodies and joints form loops, through the ground or without it: then constraint rows may be redundant.

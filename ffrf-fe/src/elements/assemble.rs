@@ -2,23 +2,28 @@
 
 use faer::sparse::SymbolicSparseColMat;
 
-use crate::{Element, ElementKind, FeError, FeModel, Nodes, SolidMaterial, SparseMatrix};
+use crate::{Element, ElementKind, FeModel, Nodes, SolidMaterial, SparseMatrix};
 
 use super::shapes::HEXAHEDRON;
-use super::{ElementError, Material, element_matrices};
+use super::{ElementError, ElementMatrices, Material, element_matrices};
+
+/// No part has masses or stiffnesses like this; sums of many still are numbers.
+const TOO_LARGE: f64 = 1e100;
 
 /// Assembles isotropic elements of one material.
 ///
 /// Errors: [`ElementError`] for a bad element.
 /// Panics: never.
-pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Result<FeModel, FeError> {
+pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Result<FeModel, ElementError> {
     let count = nodes.len();
     let neighbours = neighbours(count, &elements)?;
     let mut mass = Columns::new(&neighbours, 1);
     let mut stiffness = Columns::new(&neighbours, 3);
-    for element in &elements {
+    for (number, element) in elements.iter().enumerate() {
         let corners: Vec<[f64; 3]> = element.nodes.iter().map(|&row| nodes.positions[row]).collect();
-        let matrices = element_matrices(element.kind, &corners, material)?;
+        let matrices = element_matrices(element.kind, &corners, material)
+            .and_then(refuse_too_large)
+            .map_err(|fault| ElementError::Numbered { element: number, fault: Box::new(fault) })?;
         for (b, &column) in element.nodes.iter().enumerate() {
             for (a, &row) in element.nodes.iter().enumerate() {
                 let place = neighbours[column].partition_point(|&other| other < row);
@@ -48,7 +53,7 @@ pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Re
 ///
 /// Nodes are numbered along x first, then y, then z.
 /// Errors: as [`assemble`], for lengths that are not positive.
-pub fn brick(lengths: [f64; 3], divisions: [usize; 3], material: &Material) -> Result<FeModel, FeError> {
+pub fn brick(lengths: [f64; 3], divisions: [usize; 3], material: &Material) -> Result<FeModel, ElementError> {
     let counts = divisions.map(|division| division + 1);
     let row = |i: usize, j: usize, k: usize| (k * counts[1] + j) * counts[0] + i;
     let mut positions = Vec::with_capacity(counts.iter().product());
@@ -83,7 +88,7 @@ pub fn quadratic_brick(
     lengths: [f64; 3],
     divisions: [usize; 3],
     material: &Material,
-) -> Result<FeModel, FeError> {
+) -> Result<FeModel, ElementError> {
     // Places on the grid of half edges: corners have even numbers only, middles of edges one that is odd.
     let counts = divisions.map(|division| 2 * division + 1);
     let place = |[i, j, k]: [usize; 3]| (k * counts[1] + j) * counts[0] + i;
@@ -119,21 +124,39 @@ pub fn quadratic_brick(
     assemble(nodes, elements, material)
 }
 
-/// Sorted neighbours of each node, itself included.
-fn neighbours(count: usize, elements: &[Element]) -> Result<Vec<Vec<usize>>, ElementError> {
-    let mut lists: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for (number, element) in elements.iter().enumerate() {
-        for &row in &element.nodes {
-            let list =
-                lists.get_mut(row).ok_or(ElementError::UnknownNode { element: number, row, nodes: count })?;
-            list.extend(&element.nodes);
+fn refuse_too_large(matrices: ElementMatrices) -> Result<ElementMatrices, ElementError> {
+    for matrix in [&matrices.mass, &matrices.stiffness] {
+        let entries = (0..matrix.ncols()).flat_map(|column| matrix.col_as_slice(column));
+        // a sum that overflowed is no number
+        if let Some(&value) = entries.into_iter().find(|value| value.is_nan() || value.abs() >= TOO_LARGE) {
+            return Err(ElementError::TooLarge { value, limit: TOO_LARGE });
         }
     }
-    for list in &mut lists {
-        list.sort_unstable();
-        list.dedup();
+    Ok(matrices)
+}
+
+/// Sorted neighbours of each node, itself included.
+fn neighbours(count: usize, elements: &[Element]) -> Result<Vec<Vec<usize>>, ElementError> {
+    let mut around: Vec<Vec<usize>> = vec![Vec::new(); count];
+    for (number, element) in elements.iter().enumerate() {
+        for &row in &element.nodes {
+            let list = around.get_mut(row).ok_or(ElementError::UnknownNode {
+                element: number,
+                row,
+                nodes: count,
+            })?;
+            list.push(number);
+        }
     }
-    Ok(lists)
+    let mut all = Vec::new();
+    let lists = around.into_iter().map(|numbers| {
+        all.clear();
+        all.extend(numbers.iter().flat_map(|&number| &elements[number].nodes));
+        all.sort_unstable();
+        all.dedup();
+        all.clone()
+    });
+    Ok(lists.collect())
 }
 
 /// Values of a matrix of small square blocks, column by column.

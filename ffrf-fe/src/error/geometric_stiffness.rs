@@ -7,7 +7,9 @@ use ffrf_model::printable;
 #[non_exhaustive]
 pub enum GeometricStiffnessError {
     /// There is nothing that stresses could be computed in.
-    #[error("geometric stiffness needs the elements of the part: give the deck with --abaqus or --calculix")]
+    #[error(
+        "geometric stiffness needs the elements of the part: give a mesh, or the deck with --abaqus, --calculix or --nastran"
+    )]
     NoElements,
     /// Nothing says what the elements are made of.
     #[error("the files define no *ELASTIC material: give its constants with --elastic E,NU")]

@@ -4,14 +4,13 @@
 //! imports another for it.
 
 mod component_modes;
-mod elements;
 mod geometric_stiffness;
 mod modes;
 mod reduction;
 mod stress;
 
+pub use crate::elements::ElementError;
 pub use component_modes::ComponentModeError;
-pub use elements::ElementError;
 pub use geometric_stiffness::GeometricStiffnessError;
 pub use modes::ModeError;
 pub use reduction::ReductionError;

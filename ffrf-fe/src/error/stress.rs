@@ -22,8 +22,8 @@ pub enum StressError {
     },
     /// A node without stress.
     #[error(
-        "stress marker {marker}: node {node} belongs to no solid element that is known here: give the deck with --abaqus or \
-         --calculix"
+        "stress marker {marker}: node {node} belongs to no solid element that is known here: give a mesh, or the deck \
+         with --abaqus, --calculix or --nastran"
     )]
     NoElement {
         /// Name of the marker.

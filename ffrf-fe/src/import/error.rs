@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use ffrf_model::printable;
 
+use crate::elements::ElementError;
+
 /// What can go wrong between a file and a finite-element model.
 ///
 /// Rows, columns and lines in messages count from 1, as in the files. What a message quotes of a file has its control
@@ -142,6 +144,47 @@ pub enum ImportError {
         reason: &'static str,
         /// What is wrong with the matrices.
         fault: Box<ImportError>,
+    },
+    /// A solid of which no matrices can be made.
+    #[error("{}:{line}: {fault}", shown(path))]
+    BadElement {
+        /// The mesh.
+        path: PathBuf,
+        /// Line number from 1.
+        line: usize,
+        /// What is wrong with it.
+        fault: ElementError,
+    },
+    /// A mesh without solids.
+    #[error("{}: expected tetrahedra or hexahedra, found {nodes} nodes and no solid: {advice}", shown(path))]
+    NoSolids {
+        /// The mesh.
+        path: PathBuf,
+        /// Number of nodes.
+        nodes: usize,
+        /// What to do.
+        advice: &'static str,
+    },
+    /// A body that contradicts itself.
+    #[error("{}: {fault}", shown(path))]
+    Body {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        fault: Box<ffrf_model::ModelError>,
+    },
+    /// Constants that no elastic material has.
+    #[error(
+        "the material must have a density > 0, a Young's modulus > 0 and a Poisson's ratio between -1 and 1/2, found \
+         {density:e}, {youngs_modulus:e} and {poisson_ratio}"
+    )]
+    Material {
+        /// Density ρ. Units: kg/m³.
+        density: f64,
+        /// Young's modulus E. Units: N/m².
+        youngs_modulus: f64,
+        /// Poisson's ratio ν.
+        poisson_ratio: f64,
     },
     /// A node id is not in the node table.
     #[error("{}:{line}: expected a node of the node table ({nodes} nodes), found node {id}", shown(path))]

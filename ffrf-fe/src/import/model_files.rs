@@ -3,17 +3,18 @@
 use std::path::{Path, PathBuf};
 
 use super::error::shown;
-use super::formats::{ansys, calculix, deck, matrix_file, numpy, text_table};
-use super::matrix::raw_matrix::RawMatrix;
+use super::formats::{ansys, calculix, deck, matrix_file, mesh, nastran, numpy, text_table};
+use super::matrix::raw_matrix::{MatrixRole, RawMatrix};
 use super::model;
 use super::nodes::{ElementTrouble, NodeLookup, NodeTable, TroubleKind};
 use super::text::compressed::stored_path;
 use super::text::source::Source;
 use super::{ImportError, ImportOptions, Note};
 use crate::FeModel;
+use crate::elements::Material;
 
 /// What the user named on the command line.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ModelFiles {
     /// Where the nodes come from.
     pub nodes: NodeSource,
@@ -24,7 +25,7 @@ pub struct ModelFiles {
 }
 
 /// Node sources.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum NodeSource {
     /// Text, `x y z` a line; node ids are row numbers from 0.
@@ -35,6 +36,15 @@ pub enum NodeSource {
     Abaqus(PathBuf),
     /// CalculiX input deck; `.sti`, `.mas` and `.dof` of the same stem beside it.
     Calculix(PathBuf),
+    /// Nastran deck: grid points, solid elements, materials, sets.
+    Nastran(PathBuf),
+    /// Mesh of gmsh (`.msh`) or VTK (`.vtu`).
+    Mesh {
+        /// The mesh.
+        path: PathBuf,
+        /// What its solids are made of: mass and stiffness are assembled here if their files are not named.
+        material: Option<Material>,
+    },
     /// ANSYS node table `id x y z`.
     Ansys {
         /// The table.
@@ -72,6 +82,13 @@ pub fn read_model(files: &ModelFiles) -> Result<FeModel, ImportError> {
 pub fn read_model_with(files: &ModelFiles, options: &ImportOptions) -> Result<Import, ImportError> {
     let mut notes = Vec::new();
     let (mut table, sources) = read_nodes(&files.nodes, options, &mut notes)?;
+    if let (NodeSource::Mesh { material: Some(material), .. }, None, None, [(_, source)]) =
+        (&files.nodes, &files.mass, &files.stiffness, sources.as_slice())
+    {
+        let mut model = model::from_solids(table, source, material, &mut notes)?;
+        model.sources = sources.into_iter().map(|(_, source)| source.finish("mesh")).collect();
+        return Ok(Import { model, notes });
+    }
     let troubles = std::mem::take(&mut table.troubles);
     let of_kind = |kind| troubles.iter().find(|trouble| trouble.kind == kind).cloned();
     let singular = of_kind(TroubleKind::SingularMass);
@@ -151,24 +168,28 @@ fn read_matrices(
     let Some(mass_path) = files.mass.clone().or_else(|| beside("mas")) else {
         let advice = match &files.nodes {
             NodeSource::Calculix(deck) => format!("expected {}", shown(&deck.with_extension("mas"))),
+            NodeSource::Mesh { .. } => {
+                "name it with --mass, or assemble the solids of the mesh with --material DENSITY,E,NU"
+                    .to_owned()
+            }
             _ => "name it with --mass".to_owned(),
         };
         return Err(ImportError::MissingFile { role: "mass", advice });
     };
-    let read = |path: &Path| -> Result<RawMatrix, ImportError> {
+    let read = |path: &Path, role: MatrixRole| -> Result<RawMatrix, ImportError> {
         let source = Source::read_unhashed(path, limit)?;
         let mut raw = match &row_map {
-            Some(map) => calculix::read_matrix(source, &lookup, map)?,
-            None => matrix_file::read_square(source, &lookup)?,
+            Some(map) => calculix::read_matrix(source, &lookup, map, role)?,
+            None => matrix_file::read_square(source, &lookup, role)?,
         };
         raw.source.start_hash();
         Ok(raw)
     };
-    let mut mass = read(&mass_path)?;
+    let mut mass = read(&mass_path, MatrixRole::Mass)?;
     let stiffness = files.stiffness.clone().or_else(|| beside("sti"));
-    let mut stiffness = stiffness.map(|path| read(&path)).transpose()?;
+    let mut stiffness = stiffness.map(|path| read(&path, MatrixRole::Stiffness)).transpose()?;
     for raw in std::iter::once(&mass).chain(&stiffness) {
-        notes.extend(raw.reading(row_map.is_some()));
+        notes.extend(raw.reading());
     }
     model::drop_unused_nodes(&mut table, &mut mass, stiffness.as_mut(), row_map.is_some(), &mut notes);
     let parts = model::assemble(&table, &mut mass, stiffness.as_mut(), options, &mut notes)?;
@@ -215,6 +236,14 @@ fn read_nodes(
         NodeSource::Abaqus(path) | NodeSource::Calculix(path) => {
             let (table, sources) = deck::read(path, limit)?;
             (table, sources.into_iter().map(|source| ("nodes", source)).collect())
+        }
+        NodeSource::Mesh { path, .. } => {
+            let source = Source::read(path, limit)?;
+            (mesh::read(&source)?, vec![("nodes", source)])
+        }
+        NodeSource::Nastran(path) => {
+            let source = Source::read(path, limit)?;
+            (nastran::deck::read(&source)?, vec![("nodes", source)])
         }
         NodeSource::Ansys { nodes, mapping } => {
             let source = Source::read(nodes, limit)?;

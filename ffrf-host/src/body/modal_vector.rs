@@ -42,6 +42,10 @@ impl<T: RealField + Copy> ModalVector<T> for HostModal<T> {
         matrix + other * factor
     }
 
+    fn entry(matrix: &Self::Matrix, row: usize, column: usize) -> Option<T> {
+        matrix.get((row, column)).copied()
+    }
+
     fn diagonal_matrix(&self) -> Self::Matrix {
         DMatrix::from_diagonal(&self.0)
     }

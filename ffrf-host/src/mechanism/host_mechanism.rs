@@ -1,8 +1,8 @@
 //! A mechanism whose bodies, joints and forces come at run time.
 
-use ffrf_codegen::mechanism::{JointTopology, MechanismPlan, Topology, TopologyError};
+use ffrf_codegen::mechanism::{JointTopology, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, Level, Plan, Port, Ports,
+    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, KeptModes, Level, Plan, Port,
     Regularisation, SoftLink, Storage, Treatment,
 };
 use ffrf_runtime::relations::Rows;
@@ -12,7 +12,8 @@ use ffrf_runtime::{
 };
 use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
 
-use super::plan::OwnedPlan;
+use super::plan::{OwnedPlan, keeping};
+use super::ports::HostPorts;
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
@@ -41,6 +42,8 @@ pub struct HostMechanism<T: RealField + Copy = f64> {
     frictions: Vec<JointFriction<T>>,
     forces: Option<Box<Forces<T>>>,
     topology: Topology,
+    /// The bodies that keep their modes as unknowns.
+    keeping: Vec<usize>,
     plan: OwnedPlan,
     /// The plan with soft rows, and the elements that have them.
     soft: Option<(OwnedPlan, Vec<usize>)>,
@@ -61,12 +64,14 @@ impl HostMechanism {
             rows: joint.kind.row_count(),
             ends: [joint.first.body, joint.second.body],
         };
-        let flexible: Vec<bool> = bodies.iter().map(|(body, _)| body.mode_count() > 0).collect();
+        let modes: Vec<usize> = bodies.iter().map(|(body, _)| body.mode_count()).collect();
+        let flexible: Vec<bool> = modes.iter().map(|modes| *modes > 0).collect();
         let topology = Topology {
             flexible: flexible.clone(),
             joints: joints.iter().map(|(joint, _)| shape(joint)).collect(),
         };
-        let plan = OwnedPlan::new(&MechanismPlan::new(&topology)?);
+        let (keeping, kept) = keeping(&topology, &modes);
+        let plan = OwnedPlan::of(&topology, &keeping, &kept)?;
         // redundant rows need loops, which a drive beside its joint does not close
         let undriven = joints.iter().filter(|(_, drive)| drive.is_none());
         let undriven = Topology { flexible, joints: undriven.map(|(joint, _)| shape(joint)).collect() };
@@ -85,6 +90,7 @@ impl HostMechanism {
             frictions: Vec::new(),
             forces: None,
             topology,
+            keeping,
             plan,
             soft: None,
             treatment: Treatment::projection(),
@@ -122,6 +128,7 @@ impl HostMechanism {
             frictions: self.frictions.iter().map(JointFriction::cast).collect(),
             forces: None,
             topology: self.topology.clone(),
+            keeping: self.keeping.clone(),
             plan: self.plan.clone(),
             soft: self.soft.clone(),
             treatment: match self.treatment {
@@ -160,10 +167,13 @@ impl<T: RealField + Copy> HostMechanism<T> {
             })
             .unzip();
         let whole = self.topology.with_soft_links(links);
-        self.soft = match MechanismPlan::new(&whole) {
-            Ok(plan) if !numbers.is_empty() => Some((OwnedPlan::new(&plan), numbers)),
-            _ => None,
-        };
+        // soft rows too are many on a hub: one choice for steps with them and without
+        let modes: Vec<usize> = self.bodies.iter().map(HostBody::mode_count).collect();
+        let (keeping, kept) = keeping(&whole, &modes);
+        self.plan = OwnedPlan::of(&self.topology, &keeping, &kept).unwrap_or(self.plan);
+        let soft = OwnedPlan::of(&whole, &keeping, &kept).ok();
+        self.soft = soft.filter(|_| !numbers.is_empty()).map(|plan| (plan, numbers));
+        self.keeping = keeping;
         self
     }
 
@@ -282,22 +292,6 @@ impl<T: RealField + Copy> HostMechanism<T> {
     }
 }
 
-/// The bodies of a mechanism in one state.
-pub struct HostPorts<'a, T: RealField + Copy = f64>(pub Vec<HostPort<'a, T>>);
-
-/// One body of a mechanism in one state.
-pub type HostPort<'a, T = f64> = BodyPort<'a, HostBody<T>, Vec<AttachedRows<HostModal<T>, T>>, T>;
-
-impl<T: RealField + Copy> Ports<T> for HostPorts<'_, T> {
-    fn port(&self, index: usize) -> Option<&dyn Port<T>> {
-        self.0.get(index).map(|port| port as &dyn Port<T>)
-    }
-
-    fn port_mut(&mut self, index: usize) -> Option<&mut dyn Port<T>> {
-        self.0.get_mut(index).map(|port| port as &mut dyn Port<T>)
-    }
-}
-
 impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     type State = Vec<State<HostModal<T>, T>>;
     type Increment = HostIncrement<T>;
@@ -323,8 +317,10 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
                 subtracted: subtracted.and_then(|all| all.0.get(index)),
                 chart: chart.and_then(|all| all.0.get(index)),
             });
-            let rows = vec![AttachedRows::empty(&body.undeformed()); attached_ends[index]];
-            BodyPort::new(body, markers.as_slice(), state, rows, terms)
+            let zeros = body.undeformed();
+            let rows = vec![AttachedRows::empty(&zeros); attached_ends[index]];
+            let kept = self.keeping.contains(&index).then(|| KeptModes::empty(&zeros));
+            BodyPort::keeping(body, markers.as_slice(), state, rows, terms, kept)
         });
         HostPorts(ports.collect())
     }

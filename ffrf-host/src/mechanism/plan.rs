@@ -1,9 +1,23 @@
 //! The generator's plan of a mechanism in the runtime's types.
 
-use ffrf_codegen::mechanism::{BlockPlace, MechanismPlan};
+use ffrf_codegen::mechanism::{BlockPlace, Hub, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, Plan, SharedPlace, Step,
+    Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, ModalEndPlace, ModalPairPlace, ModesPlace,
+    Plan, PlanLists, SharedPlace, Step, Unexpanded, keeps_modes,
 };
+
+/// The bodies that keep their modes as unknowns, and how many modes these have. `modes`: of each body.
+pub(super) fn keeping(topology: &Topology, modes: &[usize]) -> (Vec<usize>, Vec<usize>) {
+    let hubs = topology.hubs();
+    let rows: Vec<usize> = hubs.iter().map(|hub| hub.rows).collect();
+    let (bodies, counts): (Vec<usize>, Vec<usize>) =
+        hubs.iter().map(|hub| (hub.body, modes[hub.body])).unzip();
+    if hubs.iter().any(Hub::always_keeps) || keeps_modes(&rows, &counts) {
+        (bodies, counts)
+    } else {
+        (Vec::new(), Vec::new())
+    }
+}
 
 /// A plan that owns its lists.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,13 +29,53 @@ pub(super) struct OwnedPlan {
     bodies: Vec<BodyPlace>,
     joints: Vec<JointPlace>,
     shared: Vec<SharedPlace>,
+    modes: Vec<ModesPlace>,
+    modal_ends: Vec<ModalEndPlace>,
+    modal_pairs: Vec<ModalPairPlace>,
     pub(super) block_count: usize,
     pub(super) node_count: usize,
     pub(super) attached_ends: Vec<usize>,
 }
 
 impl OwnedPlan {
-    pub(super) fn new(plan: &MechanismPlan) -> Self {
+    /// The plan in which the bodies `keeping` keep their modes, so many.
+    pub(super) fn of(topology: &Topology, keeping: &[usize], modes: &[usize]) -> Result<Self, TopologyError> {
+        let mut plan = Self::new(&MechanismPlan::keeping_modes(topology, keeping)?);
+        if modes.is_empty() {
+            return Ok(plan);
+        }
+        let old = plan.clone();
+        let unexpanded = Unexpanded { plan: old.view(), modes };
+        let sizes = unexpanded.sizes();
+        let block = Block { index: 0, transposed: false };
+        plan.steps = vec![
+            Step { size: 1, node: 0, diagonal: 0, is_diagonal: false, couplings: 0, targets: 0 };
+            sizes.nodes
+        ];
+        plan.couplings = vec![Coupling { size: 1, node: 0 }; sizes.couplings];
+        plan.targets = vec![0; sizes.targets];
+        plan.modes = vec![ModesPlace { body: 0, first: 0, node: 0, diagonal: 0, frame: block }; sizes.modes];
+        plan.modal_ends = vec![ModalEndPlace { body: 0, slot: 0, first: 0, block }; sizes.modal_ends];
+        plan.modal_pairs = vec![ModalPairPlace { body: 0, rows: 0, columns: 0, block: 0 }; sizes.modal_pairs];
+        (plan.block_count, plan.node_count) = (sizes.blocks, sizes.nodes);
+        plan.leading = unexpanded.expand(
+            &mut vec![0; old.steps.len()],
+            &mut PlanLists {
+                steps: &mut plan.steps,
+                couplings: &mut plan.couplings,
+                targets: &mut plan.targets,
+                bodies: &mut plan.bodies,
+                joints: &mut plan.joints,
+                shared: &mut plan.shared,
+                modes: &mut plan.modes,
+                modal_ends: &mut plan.modal_ends,
+                modal_pairs: &mut plan.modal_pairs,
+            },
+        );
+        Ok(plan)
+    }
+
+    fn new(plan: &MechanismPlan) -> Self {
         let block = |block: BlockPlace| Block { index: block.index, transposed: block.transposed };
         Self {
             steps: plan
@@ -69,6 +123,28 @@ impl OwnedPlan {
                     block: block(shared.block),
                 })
                 .collect(),
+            modes: plan
+                .modes
+                .iter()
+                .map(|modes| ModesPlace {
+                    body: modes.body,
+                    first: 0,
+                    node: modes.node,
+                    diagonal: modes.diagonal,
+                    frame: block(modes.frame),
+                })
+                .collect(),
+            modal_ends: plan
+                .modal_ends
+                .iter()
+                .map(|end| ModalEndPlace {
+                    body: end.body,
+                    slot: end.slot,
+                    first: 0,
+                    block: block(end.block),
+                })
+                .collect(),
+            modal_pairs: Vec::new(),
             leading: plan.leading,
             block_count: plan.block_count,
             node_count: plan.node_count,
@@ -101,6 +177,9 @@ impl OwnedPlan {
             bodies: &self.bodies,
             joints: &self.joints,
             shared: &self.shared,
+            modes: &self.modes,
+            modal_ends: &self.modal_ends,
+            modal_pairs: &self.modal_pairs,
         }
     }
 }

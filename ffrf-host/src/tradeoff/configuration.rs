@@ -20,6 +20,11 @@ pub struct Configuration {
 }
 
 impl Configuration {
+    /// Grows with what a run takes: steps, and about the square of the modes above a constant share. Without units.
+    pub fn expected_effort(&self) -> f64 {
+        (8.0 + self.modes as f64).powi(2) / self.step
+    }
+
     /// A name that no other configuration has, fit for files.
     pub fn key(&self) -> String {
         let fidelity: String = self

@@ -38,6 +38,16 @@ pub enum TradeoffError {
         /// What was tried, and what came of it.
         tried: String,
     },
+    /// Nothing that may be chosen ends its run with steps that there is time for.
+    #[error("no configuration runs with steps of {step:e} s and {operations:.3e} operations: {tried}")]
+    StepBudget {
+        /// Operations that there is time for.
+        operations: f64,
+        /// The step. Units: s.
+        step: f64,
+        /// What was tried, and what came of it.
+        tried: String,
+    },
     /// An outcome could not be kept.
     #[error(transparent)]
     Keep(#[from] std::io::Error),

@@ -21,14 +21,18 @@ mod reference;
 mod study;
 mod sweep;
 mod trajectory;
+mod usual;
 
 pub use channel::{Channel, Quantity};
 pub use configuration::{Axes, Configuration};
 pub use cost::StaticCost;
 pub use error::TradeoffError;
 pub use front::front;
-pub use outcome::{Finding, Measured, Outcome, run};
-pub use plan::{Candidate, Choice, ModeUse, Motion, Pilot, Plan, PlanOptions, TermUse, plan};
+pub use outcome::{Finding, INSTRUCTIONS_PER_OPERATION, Measured, Outcome, run};
+pub use plan::{
+    Affordable, Candidate, Choice, ModeUse, Motion, Pilot, Plan, PlanOptions, PlanWithin, StepBudget,
+    TermUse, plan, plan_within,
+};
 pub use reference::{Reference, ReferenceOptions};
 pub use study::{Study, Variant};
 pub use sweep::{Done, sweep};

@@ -1,5 +1,7 @@
 //! What errors are taken against: every mode and term, integrated with error control, twice.
 
+use std::thread;
+
 use ffrf_codegen::Fidelity;
 use ffrf_runtime::{Observables, State};
 
@@ -73,9 +75,15 @@ impl Reference {
         let mut everything = channels.clone();
         everything.extend(Channel::states(&variant.scene));
         let times = study.times();
-        let (mut history, steps) = controlled(study, &variant, &everything, &times, options.tolerance)?;
+        let coarser = || controlled(study, &variant, &channels, &times, COARSER * options.tolerance);
+        let (fine, coarse) = thread::scope(|scope| {
+            let coarse = scope.spawn(coarser);
+            (controlled(study, &variant, &everything, &times, options.tolerance), coarse.join())
+        });
+        let (mut history, steps) = fine?;
+        // a thread that panicked has said why; its run is made once more, and so is its panic
+        let (coarse, _) = coarse.unwrap_or_else(|_| coarser())?;
         let states: Vec<Vec<f64>> = history.values.iter_mut().map(|row| row.split_off(width)).collect();
-        let (coarse, _) = controlled(study, &variant, &channels, &times, COARSER * options.tolerance)?;
         let moving = states.iter().map(|row| motion_energy(&variant, row)).fold(0.0, f64::max);
         let scales = scales(&channels, &history, moving);
         let mut reference = Self {

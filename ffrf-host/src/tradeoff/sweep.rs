@@ -16,10 +16,11 @@ pub struct Done {
     pub total: usize,
 }
 
-/// Runs the configurations that `known` has no outcome of, hands each outcome to `keep` as soon as it is there, and gives all
+/// Runs the configurations that `known` has no outcome of, hands outcomes to `keep` as soon as they are there, and gives all
 /// of them in the order of `configurations`.
 ///
-/// The costliest come first, so that no core waits at the end for one that came late. `threads`: at least one.
+/// The costliest come first, so that no core waits at the end for one that came late. What has come while `keep` was at work it
+/// gets together: however slow it is, nobody waits for it but the end. `threads`: at least one.
 /// Errors: what `keep` says, and variants that cannot be composed.
 pub fn sweep(
     study: &Study,
@@ -27,11 +28,11 @@ pub fn sweep(
     configurations: &[Configuration],
     known: &BTreeMap<String, Outcome>,
     threads: usize,
-    keep: &mut dyn FnMut(&Outcome, Done) -> std::io::Result<()>,
+    keep: &mut dyn FnMut(&[Outcome], Done) -> std::io::Result<()>,
 ) -> Result<Vec<Outcome>, TradeoffError> {
     let mut missing: Vec<&Configuration> =
         configurations.iter().filter(|one| !known.contains_key(&one.key())).collect();
-    missing.sort_by(|a, b| expected_effort(b).total_cmp(&expected_effort(a)));
+    missing.sort_by(|a, b| b.expected_effort().total_cmp(&a.expected_effort()));
     let variants = variants(study, &missing)?;
     let variant_of = |one: &Configuration| variants.get(&variant_key(one));
     let next = AtomicUsize::new(0);
@@ -51,20 +52,16 @@ pub fn sweep(
             });
         }
         drop(sender);
-        for outcome in receiver {
-            done += 1;
+        while let Ok(first) = receiver.recv() {
+            let come: Vec<Outcome> = std::iter::once(first).chain(receiver.try_iter()).collect();
+            done += come.len();
             // the receiver goes with an error, and with it the threads after their runs
-            keep(&outcome, Done { done, total })?;
-            found.insert(outcome.configuration.key(), outcome);
+            keep(&come, Done { done, total })?;
+            found.extend(come.into_iter().map(|outcome| (outcome.configuration.key(), outcome)));
         }
         Ok::<(), TradeoffError>(())
     })?;
     Ok(configurations.iter().filter_map(|one| found.get(&one.key()).cloned()).collect())
-}
-
-/// Grows with what a run takes: steps, and about the square of the modes above a constant share.
-fn expected_effort(one: &Configuration) -> f64 {
-    (8.0 + one.modes as f64).powi(2) / one.step
 }
 
 fn variant_key(one: &Configuration) -> (usize, String) {

@@ -16,7 +16,7 @@ const SINGULAR: f64 = 1e9;
 const COUNTS: [usize; 4] = [2, 3, 5, 8];
 const SEEDS: u64 = 12;
 
-struct Tally {
+pub struct Tally {
     checked: usize,
     singular: usize,
     worst: f64,
@@ -25,11 +25,11 @@ struct Tally {
 }
 
 impl Tally {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self { checked: 0, singular: 0, worst: 0.0, worst_condition: 0.0, residual: 0.0 }
     }
 
-    fn add(&mut self, case: &Case, found: &Evaluation, stage: Stage<'_>) {
+    pub fn add(&mut self, case: &Case, found: &Evaluation, stage: Stage<'_>) {
         let (mass, force) = free_equations(case, &case.states, stage);
         let saddle = Saddle::new(&mass, &force, found);
         let condition = saddle.condition();
@@ -59,7 +59,7 @@ impl Tally {
         self.residual = self.residual.max(residual - left);
     }
 
-    fn tell(&self, what: &str) {
+    pub fn tell(&self, what: &str) {
         eprintln!(
             "{what}: {} mechanisms, {} singular, error / (ε κ) up to {:.2}, κ up to {:.1e}, residual up to {:.1e}",
             self.checked, self.singular, self.worst, self.worst_condition, self.residual

@@ -8,6 +8,7 @@ mod energy;
 mod forces;
 mod generated_kernels;
 mod graphs;
+mod hubs;
 mod joint_friction;
 mod power;
 mod reactions;

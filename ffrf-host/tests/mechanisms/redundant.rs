@@ -63,7 +63,7 @@ fn row_metric(case: &Case, mass: &DMatrix<f64>, gradients: &DMatrix<f64>) -> DVe
 }
 
 /// Checks a case whose rows have this many redundant ones among them.
-fn check(case: &Case, redundant: usize) {
+pub fn check(case: &Case, redundant: usize) {
     let found = evaluate(case, &case.states, 0.0, None);
     let (accelerations, multipliers, rank) = expected(case, &found);
     assert_eq!(found.bias.len() - rank, redundant, "{}: redundant rows", case.name);

@@ -17,7 +17,7 @@ pub trait Naive {
     fn force(&self, state: &State<HostModal>, gravity: &Vector3<f64>) -> DVector<f64>;
 }
 
-/// The witness of a model with at most five modes.
+/// The witness of a model with at most five modes, or with nine or thirteen.
 pub fn naive(model: &ReducedBody) -> Box<dyn Naive> {
     match model.mode_count() {
         0 => Box::new(NaiveBody::<0, 6>::new(&invariants(model))),
@@ -26,6 +26,8 @@ pub fn naive(model: &ReducedBody) -> Box<dyn Naive> {
         3 => Box::new(NaiveBody::<3, 9>::new(&invariants(model))),
         4 => Box::new(NaiveBody::<4, 10>::new(&invariants(model))),
         5 => Box::new(NaiveBody::<5, 11>::new(&invariants(model))),
+        9 => Box::new(NaiveBody::<9, 15>::new(&invariants(model))),
+        13 => Box::new(NaiveBody::<13, 19>::new(&invariants(model))),
         more => panic!("no witness for {more} modes"),
     }
 }

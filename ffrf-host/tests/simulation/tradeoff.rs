@@ -10,7 +10,7 @@ use ffrf_host::scene::{Integrator, Scene};
 use ffrf_host::simulate::simulate;
 use ffrf_host::tradeoff::{
     Axes, Configuration, Finding, Measured, Outcome, PlanOptions, Quantity, Reference, ReferenceOptions,
-    Study, plan, run, sweep,
+    StepBudget, Study, TradeoffError, plan, plan_within, run, sweep,
 };
 
 /// What a plan may exceed its budget by.
@@ -121,6 +121,34 @@ fn a_plan_of_the_slider_crank_keeps_its_budget_and_is_cheap() {
     let reaction = [Quantity::Sensor("bearing".to_owned()), Quantity::Sensor("stroke".to_owned())];
     // the sixth mode, along the rod, makes the force on the crank: fewer are off by a third
     compare("slider-crank", &study, 3e-2, &reaction, vec![0, 4, 6, 8], steps(4e-5, 5));
+}
+
+/// The cheapest step is a rigid one; with more time the force in the bearing gets better, and no step takes longer than it may.
+#[test]
+fn a_plan_for_a_time_per_step_takes_no_more_and_uses_what_it_has() {
+    let study = study("slider_crank.toml", 2e-3, 20.0);
+    let budget = |operations: f64| StepBudget {
+        step: 1e-5,
+        operations,
+        quantities: vec![Quantity::Sensor("bearing".to_owned())],
+        integrators: vec![Integrator::Rk4, Integrator::LinearlyImplicit],
+        scalars: vec![ScalarType::F64],
+    };
+    let mut before = f64::INFINITY;
+    for operations in [1.4e4, 3e4, 1e5] {
+        let found = plan_within(&study, &budget(operations)).unwrap();
+        let one = &found.best;
+        eprintln!("{operations:e}: {}", one.describe());
+        assert!(one.operations <= operations, "{}", one.describe());
+        assert!(found.error <= before, "{} after {before:e}", one.describe());
+        assert!(found.tried.iter().all(|other| other.configuration.step == 1e-5));
+        before = found.error;
+    }
+    // all eight modes in RK4: the least error that there is with this step
+    assert!(before < 0.1, "{before:e}");
+    let refused = plan_within(&study, &budget(1e3)).unwrap_err();
+    assert!(matches!(refused, TradeoffError::StepBudget { .. }), "{refused}");
+    assert!(refused.to_string().contains("1.000e3 operations"), "{refused}");
 }
 
 /// The runs of a study are those of the simulation itself.

@@ -1,6 +1,6 @@
 //! From what the user wrote to a mechanism that can be emitted; every mistake is reported.
 
-use ffrf_codegen::mechanism::{MechanismPlan, Topology, TopologyError};
+use ffrf_codegen::mechanism::{Hub, MechanismPlan, Topology, TopologyError};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
@@ -31,10 +31,37 @@ pub(super) struct Spec {
     pub(super) sensors: Vec<Sensor>,
     /// Number of joints, with drives.
     pub(super) connections: usize,
-    pub(super) plan: MechanismPlan,
-    /// The plan with soft rows and their number of links, if there are any.
-    pub(super) soft: Option<(MechanismPlan, usize)>,
+    /// Flexible bodies with many joints and soft links.
+    pub(super) hubs: Vec<Hub>,
+    pub(super) plan: Plans,
+    /// The plans with soft rows and their number of links, if there are any.
+    pub(super) soft: Option<(Plans, usize)>,
     pub(super) has_loops: bool,
+}
+
+/// The layouts of one mechanism: how many modes its bodies have, which decides between them, the macro does not know.
+pub(super) struct Plans {
+    /// Every body eliminates its modes; not where a hub keeps them however many there are.
+    pub(super) eliminated: Option<MechanismPlan>,
+    /// The hubs keep their modes, if there are hubs.
+    pub(super) kept: Option<MechanismPlan>,
+}
+
+impl Plans {
+    fn new(topology: &Topology, hubs: &[Hub]) -> Result<Self, TopologyError> {
+        let keeping: Vec<usize> = hubs.iter().map(|hub| hub.body).collect();
+        let always = hubs.iter().any(Hub::always_keeps);
+        let eliminated = if always { None } else { Some(MechanismPlan::new(topology)?) };
+        let kept =
+            if hubs.is_empty() { None } else { Some(MechanismPlan::keeping_modes(topology, &keeping)?) };
+        Ok(Self { eliminated, kept })
+    }
+
+    /// Ends of joints on a body, the same in all layouts.
+    pub(super) fn attached_ends(&self, body: usize) -> usize {
+        let plan = self.eliminated.as_ref().or(self.kept.as_ref());
+        plan.and_then(|plan| plan.attached_ends.get(body)).copied().unwrap_or(0)
+    }
 }
 
 const KEYS: [&str; 9] =
@@ -123,12 +150,12 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
     mistakes.verdict(())?;
     let (topology, has_loops) = topology(&bodies, &joints, &drives, connections);
     let refused = |error: TopologyError| syn::Error::new(input.name.span(), error.to_string());
-    let plan = MechanismPlan::new(&topology).map_err(refused)?;
     let links: Vec<_> = forces.iter().flat_map(Force::soft_links).collect();
-    let soft = match links.len() {
-        0 => None,
-        count => Some((MechanismPlan::new(&topology.with_soft_links(links)).map_err(refused)?, count)),
-    };
+    let count = links.len();
+    let whole = topology.with_soft_links(links);
+    let hubs = if whole.check().is_ok() { whole.hubs() } else { Vec::new() };
+    let plan = Plans::new(&topology, &hubs).map_err(refused)?;
+    let soft = if count > 0 { Some((Plans::new(&whole, &hubs).map_err(refused)?, count)) } else { None };
     Ok(Spec {
         scalar,
         bodies,
@@ -140,6 +167,7 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         forces,
         sensors,
         connections,
+        hubs,
         plan,
         soft,
         has_loops,

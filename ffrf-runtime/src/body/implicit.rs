@@ -2,7 +2,9 @@
 
 use nalgebra::RealField;
 
-use super::{Eliminated, FlexibleBody, GeneralisedForce, Increment, ModalVector, Motion, Prepared, State};
+use super::{
+    Eliminated, FlexibleBody, GeneralisedForce, Increment, ModalMatrix, ModalVector, Motion, Prepared, State,
+};
 use crate::rotation::{cayley_omega, cayley_rate};
 
 /// The deformed quantities of a stage, with γ h D_ff + γ² h² K_ff added to Θ_ff.
@@ -13,6 +15,14 @@ pub(crate) struct ImplicitBody<V: ModalVector<T>, T: RealField + Copy> {
     gamma_h: T,
 }
 
+/// Θ_ff + γ h D_ff + γ² h² K_ff. Shape: M x M.
+pub(crate) fn implicit_modal_mass<B: FlexibleBody<T>, T: RealField + Copy>(
+    body: &B,
+    gamma_h: T,
+) -> ModalMatrix<B::Modal, T> {
+    body.modal_mass().plus(gamma_h, &body.damping()).plus(gamma_h * gamma_h, &body.stiffness())
+}
+
 impl<V: ModalVector<T>, T: RealField + Copy> ImplicitBody<V, T> {
     /// `None` if the modal mass with the implicit terms is not positive definite.
     pub(crate) fn new<B>(body: &B, state: &State<V, T>, gamma_h: T) -> Option<Self>
@@ -20,9 +30,7 @@ impl<V: ModalVector<T>, T: RealField + Copy> ImplicitBody<V, T> {
         B: FlexibleBody<T, Modal = V>,
     {
         let prepared = body.prepare(&state.modal_coordinates, &state.angular_velocity, &state.modal_rates);
-        let modal =
-            body.modal_mass().plus(gamma_h, &body.damping()).plus(gamma_h * gamma_h, &body.stiffness());
-        let eliminated = prepared.eliminate(modal.factor()?);
+        let eliminated = prepared.eliminate(implicit_modal_mass(body, gamma_h).factor()?);
         Some(Self { prepared, eliminated, gamma_h })
     }
 

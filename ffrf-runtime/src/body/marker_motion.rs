@@ -49,9 +49,17 @@ impl<T: RealField + Copy> MarkerMotion<T> {
     /// The same motion of a triad that is turned in this one.
     #[must_use]
     pub fn turned(mut self, orientation: &UnitQuaternion<T>) -> Self {
-        self.orientation *= *orientation;
-        self.mean_axes = self.mean_axes.map(|axes| axes * matrix(orientation));
+        self.turn(orientation);
         self
+    }
+
+    /// [`turned`](Self::turned) in place.
+    #[inline]
+    pub(crate) fn turn(&mut self, orientation: &UnitQuaternion<T>) {
+        self.orientation *= *orientation;
+        if let Some(axes) = &mut self.mean_axes {
+            *axes *= matrix(orientation);
+        }
     }
 }
 

@@ -8,9 +8,14 @@ use crate::six::{Square, add_scaled, scaled, subtract_scaled};
 impl<V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'_, V, T> {
     /// [`generalised_force`](Self::generalised_force) of six wrenches at once.
     ///
-    /// `wrenches`: components x, y, z of their forces and moments. Shape: 6 x 6. Frame: inertial. Gives the components of
-    /// force and moment on the frame and sets those on the modes. Shape: 6 x 6, M x 6. Frame: body.
-    pub(crate) fn generalised_forces(&self, wrenches: &Square<T>, modal: &mut [[T; 6]]) -> Square<T> {
+    /// `wrenches`: components x, y, z of their forces and moments. Shape: 6 x 6. Frame: inertial. Sets the components of
+    /// force and moment on the frame, and those on the modes. Shape: 6 x 6, M x 6. Frame: body.
+    pub(crate) fn generalised_forces(
+        &self,
+        wrenches: &Square<T>,
+        rigid: &mut Square<T>,
+        modal: &mut [[T; 6]],
+    ) {
         let [x, y, z, r_x, r_y, r_z] = wrenches;
         let force = self.rows_to_body([x, y, z]);
         let moment = self.rows_to_body([r_x, r_y, r_z]);
@@ -39,7 +44,7 @@ impl<V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'_, V, T> {
         add_scaled(&mut about_z, arm.x, y);
         subtract_scaled(&mut about_z, arm.y, x);
         let [x, y, z] = force;
-        [x, y, z, about_x, about_y, about_z]
+        *rigid = [x, y, z, about_x, about_y, about_z];
     }
 
     /// Components of six inertial vectors in the body frame.

@@ -46,7 +46,7 @@ pub use observables::Observables;
 pub use pair::{Pair, PairSystem};
 pub use prepared::{Eliminated, Factored, Prepared};
 
-pub(crate) use implicit::ImplicitBody;
+pub(crate) use implicit::{ImplicitBody, implicit_modal_mass};
 pub use oscillator::Oscillators;
 pub use rigid_body::RigidBody;
 pub(crate) use span::Span;

@@ -41,6 +41,15 @@ impl<V: ModalVector<T>, T: RealField + Copy> ModalMatrix<V, T> {
         }
     }
 
+    /// One entry; `None` beyond the modes.
+    pub(crate) fn entry(&self, row: usize, column: usize) -> Option<T> {
+        match self {
+            Self::Diagonal(diagonal) if row == column => diagonal.as_slice().get(row).copied(),
+            Self::Diagonal(diagonal) => (row.max(column) < diagonal.as_slice().len()).then(T::zero),
+            Self::Dense(matrix) => V::entry(matrix, row, column),
+        }
+    }
+
     /// `self + factor * other`; diagonal if both are.
     pub fn plus(&self, factor: T, other: &Self) -> Self {
         match (self, other) {
@@ -93,6 +102,23 @@ impl<V: ModalVector<T>, T: RealField + Copy> ModalFactors<V, T> {
                 }
             }
             Self::Dense(factors) => V::solve_sixes(factors, right),
+        }
+    }
+
+    /// Sets the solutions of six right-hand sides. Shape: M x 6.
+    #[inline]
+    pub(crate) fn solve_sixes_to(&self, solution: &mut V::Sixes, right: &V::Sixes) {
+        match self {
+            Self::Diagonal(inverse) => {
+                let places = solution.as_mut().iter_mut().zip(right.as_ref());
+                for ((place, six), inverse) in places.zip(inverse.as_slice()) {
+                    *place = scaled(*inverse, six);
+                }
+            }
+            Self::Dense(factors) => {
+                solution.clone_from(right);
+                V::solve_sixes(factors, solution);
+            }
         }
     }
 }

@@ -24,6 +24,8 @@ pub trait ModalVector<T: RealField + Copy>: Clone + PartialEq + fmt::Debug {
     fn product(matrix: &Self::Matrix, vector: &Self) -> Self;
     /// `matrix + factor * other`. Shape: M x M.
     fn combination(matrix: &Self::Matrix, factor: T, other: &Self::Matrix) -> Self::Matrix;
+    /// One entry of a matrix; `None` beyond the modes.
+    fn entry(matrix: &Self::Matrix, row: usize, column: usize) -> Option<T>;
     /// The matrix with these numbers on its diagonal. Shape: M x M.
     fn diagonal_matrix(&self) -> Self::Matrix;
     /// Factors of `matrix`, or `None` if it is not positive definite.
@@ -109,6 +111,11 @@ impl<const M: usize, T: RealField + Copy> ModalVector<T> for SVector<T, M> {
     #[inline(always)]
     fn combination(matrix: &Self::Matrix, factor: T, other: &Self::Matrix) -> Self::Matrix {
         matrix + other * factor
+    }
+
+    #[inline(always)]
+    fn entry(matrix: &Self::Matrix, row: usize, column: usize) -> Option<T> {
+        matrix.get((row, column)).copied()
     }
 
     #[inline(always)]

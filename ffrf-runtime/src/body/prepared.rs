@@ -43,6 +43,15 @@ impl<V: ModalVector<T>, T: RealField + Copy> Prepared<V, T> {
         [b_x, b_y, b_z, r_x, r_y, r_z]
     }
 
+    /// Cᵀ, mode by mode. Shape: M x 6.
+    pub(crate) fn coupling_sixes(&self) -> V::Sixes {
+        let mut sixes = self.internal_force.zero_sixes();
+        for (axis, row) in self.coupling().into_iter().enumerate() {
+            scatter(row.as_slice(), axis, sixes.as_mut());
+        }
+        sixes
+    }
+
     /// The block of rigid motion in the mass matrix. Shape: 6 x 6, symmetric.
     pub fn rigid_mass(&self) -> Matrix6<T> {
         let [x, y, z] = self.first_moment.into();
@@ -104,12 +113,10 @@ impl<V: ModalVector<T>, T: RealField + Copy> Prepared<V, T> {
     }
 
     /// The mass matrix with the modes eliminated through the factors of Θ_ff, or of Θ_ff with implicit terms.
+    #[inline]
     pub fn eliminate(&self, modal: ModalFactors<V, T>) -> Eliminated<V, T> {
         let coupling = self.coupling();
-        let mut followed = self.internal_force.zero_sixes();
-        for (axis, row) in coupling.into_iter().enumerate() {
-            scatter(row.as_slice(), axis, followed.as_mut());
-        }
+        let mut followed = self.coupling_sixes();
         modal.solve_sixes(&mut followed);
         let mut remaining = self.rigid_mass();
         for (place, row) in remaining.data.0.iter_mut().zip(coupling) {

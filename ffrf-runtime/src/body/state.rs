@@ -114,11 +114,13 @@ impl<V: ModalVector<T>, T: RealField + Copy> State<V, T> {
         self.orientation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
     }
 
-    /// Whether every number of the state is finite.
+    /// Whether every number of the state is finite, and its orientation is one: a turn so large that the squares of its quaternion
+    /// leave the number type is normalised to nothing.
     pub fn is_finite(&self) -> bool {
         let finite = |x: &T| x.is_finite();
         self.position.iter().all(finite)
             && self.orientation.coords.iter().all(finite)
+            && self.orientation.coords.iter().any(|x| *x != T::zero())
             && self.modal_coordinates.all_finite()
             && self.velocity.iter().all(finite)
             && self.angular_velocity.iter().all(finite)

@@ -40,8 +40,9 @@ use super::{StepError, StepReport, StiffSystem, VectorSpace};
 
 /// One step of ROS2 with the modal stiffness and damping implicit: order 2, stable for any h ω_max.
 ///
-/// Two evaluations of the loads and two factorisations with the modes eliminated first; no allocation, bounded work. The
-/// error estimate is the difference to the embedded method of order one. Source: see the module's text, Verwer et al. (1999).
+/// Two evaluations of the loads and two factorisations with the modes eliminated first (six where friction follows
+/// reactions); no allocation, bounded work. The error estimate is the difference to the embedded method of order one.
+/// Source: see the module's text, Verwer et al. (1999).
 ///
 /// Units: `time`, `step` s. Errors: see [`StepError`].
 pub fn step_linearly_implicit<S: StiffSystem<T>, T: RealField + Copy>(

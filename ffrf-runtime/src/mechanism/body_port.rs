@@ -2,10 +2,11 @@
 
 use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
-use super::{Level, Phase, Port, RigidFrame};
+use super::kept_modes::copy_from;
+use super::{Keeping, Level, Phase, Port, RigidFrame};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep,
-    ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench,
+    ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench, implicit_modal_mass,
 };
 use crate::integrators::StepError;
 use crate::rotation::matrix;
@@ -48,9 +49,10 @@ impl<I, T: Copy> Clone for ImplicitTerms<'_, I, T> {
 
 impl<I, T: Copy> Copy for ImplicitTerms<'_, I, T> {}
 
-/// One body in one state, with its forces and the rows of its joints; `R` holds as many [`AttachedRows`] as joints have ends there.
+/// One body in one state, with its forces and the rows of its joints; `R` holds as many [`AttachedRows`] as joints have ends
+/// there, `K` has room for modes that are [kept](Keeping).
 #[derive(Debug, Clone)]
-pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
+pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy, K = ()> {
     body: &'a B,
     markers: &'a [Marker<B::Modal, T>],
     /// The state of this evaluation.
@@ -72,6 +74,7 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy> {
     alone: B::Modal,
     /// A step of the energy-momentum method, and what is shown of it.
     span: Option<(Span<B::Modal, T>, Phase)>,
+    kept: K,
 }
 
 impl<'a, B, R, T> BodyPort<'a, B, R, T>
@@ -80,8 +83,7 @@ where
     R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
     T: RealField + Copy,
 {
-    /// A body in a state, without forces.
-    // inlined, so that it is made where it stays
+    /// A body in a state, without forces, whose modes are eliminated in it.
     #[inline(always)]
     pub fn new(
         body: &'a B,
@@ -89,6 +91,28 @@ where
         state: State<B::Modal, T>,
         rows: R,
         implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
+    ) -> Self {
+        Self::keeping(body, markers, state, rows, implicit, ())
+    }
+}
+
+impl<'a, B, R, T, K> BodyPort<'a, B, R, T, K>
+where
+    B: FlexibleBody<T>,
+    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
+    T: RealField + Copy,
+    K: Keeping<B::Modal, T>,
+{
+    /// A body in a state, without forces, that keeps its modes as unknowns if `kept` has room for them.
+    // inlined, so that it is made where it stays
+    #[inline(always)]
+    pub fn keeping(
+        body: &'a B,
+        markers: &'a [Marker<B::Modal, T>],
+        state: State<B::Modal, T>,
+        rows: R,
+        implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
+        kept: K,
     ) -> Self {
         let zeros = body.undeformed();
         Self {
@@ -106,6 +130,7 @@ where
             net: GeneralisedForce::zeros(&zeros),
             alone: zeros,
             span: None,
+            kept,
         }
     }
 
@@ -134,7 +159,7 @@ where
         match &self.span {
             Some((span, Phase::End)) => PlacedMarker::new(marker, &span.end).motion(&span.end),
             Some((span, Phase::Mean)) => SpanMarker::new(marker, span).motion(),
-            None => PlacedMarker::new(marker, &self.state).motion(&self.state),
+            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).motion(&self.state),
         }
     }
 
@@ -147,12 +172,12 @@ where
     fn force_of(&self, marker: &Marker<B::Modal, T>, wrench: &Wrench<T>) -> GeneralisedForce<B::Modal, T> {
         match &self.span {
             Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
-            None => PlacedMarker::new(marker, &self.state).generalised_force(wrench),
+            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).generalised_force(wrench),
         }
     }
 
-    fn keep(&mut self, eliminated: Option<Eliminated<B::Modal, T>>) -> Result<(), StepError> {
-        self.eliminated = eliminated;
+    /// Measures the factors that were made.
+    fn measure(&mut self) -> Result<(), StepError> {
         let eliminated = self.eliminated.as_ref().ok_or(StepError::MassNotPositive)?;
         let mass = &eliminated.remaining.data.0;
         six_times!(K: { self.yields[K] = if mass[K][K] > T::zero() { T::one() / mass[K][K] } else { T::zero() }; });
@@ -187,11 +212,12 @@ where
     }
 }
 
-impl<B, R, T> Port<T> for BodyPort<'_, B, R, T>
+impl<B, R, T, K> Port<T> for BodyPort<'_, B, R, T, K>
 where
     B: FlexibleBody<T>,
     R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
     T: RealField + Copy,
+    K: Keeping<B::Modal, T>,
 {
     fn marker_motion(&self, marker: usize) -> MarkerMotion<T> {
         match self.markers.get(marker) {
@@ -239,27 +265,43 @@ where
         if let Some((span, _)) = &self.span {
             let (stage, missing) = span.stage(self.body, &self.force).ok_or(StepError::MassNotPositive)?;
             self.net = missing;
-            return self.keep(Some(stage.eliminated));
+            if let Some(kept) = self.kept.kept_mut() {
+                let gamma_h = span.step * nalgebra::convert(0.5);
+                kept.keep(&stage.prepared, implicit_modal_mass(self.body, gamma_h));
+            }
+            self.eliminated = Some(stage.eliminated);
+            return self.measure();
         }
         let (body, state) = (self.body, &self.state);
-        let eliminated = match self.implicit {
+        match self.implicit {
             None => {
                 let prepared =
                     body.prepare(&state.modal_coordinates, &state.angular_velocity, &state.modal_rates);
                 self.net = prepared.net_force(&self.force);
-                body.modal_mass().factor().map(|modal| prepared.eliminate(modal))
+                if let Some(kept) = self.kept.kept_mut() {
+                    kept.keep(&prepared, body.modal_mass());
+                }
+                // made where it stays
+                self.eliminated = body.modal_mass().factor().map(|modal| prepared.eliminate(modal));
             }
             Some(ImplicitTerms { gamma_h, subtracted, .. }) => {
-                ImplicitBody::new(body, state, gamma_h).map(|stage| {
+                self.eliminated = ImplicitBody::new(body, state, gamma_h).map(|stage| {
                     self.net = stage.right(body, state, &self.force, subtracted);
+                    if let Some(kept) = self.kept.kept_mut() {
+                        kept.keep(&stage.prepared, implicit_modal_mass(body, gamma_h));
+                    }
                     stage.eliminated
-                })
+                });
             }
-        };
-        self.keep(eliminated)
+        }
+        self.measure()
     }
 
     fn rigid_mass(&self, to: &mut Square<T>) {
+        if let Some(kept) = self.kept.kept() {
+            *to = kept.rigid_mass();
+            return;
+        }
         match (&self.frame, &self.eliminated) {
             (Some(frame), _) => six_times!(K: { to[K][K] = frame.masses()[K]; }),
             (None, Some(eliminated)) => *to = eliminated.remaining.data.0,
@@ -268,7 +310,39 @@ where
     }
 
     fn has_modes(&self) -> bool {
-        !self.alone.as_slice().is_empty()
+        !self.alone.as_slice().is_empty() && self.kept.kept().is_none()
+    }
+
+    fn modal_mass(&self, rows: usize, columns: usize, to: &mut Square<T>) {
+        if let Some(kept) = self.kept.kept() {
+            kept.modal_mass(rows, columns, to);
+        }
+    }
+
+    fn modal_coupling(&self, first: usize, to: &mut Square<T>) {
+        if let Some(kept) = self.kept.kept() {
+            kept.coupling(first, to);
+        }
+    }
+
+    fn modal_rows(&self, slot: usize, first: usize, to: &mut Square<T>) {
+        if let Some(rows) = self.rows.as_ref().get(slot) {
+            copy_from(rows.modal.as_ref(), first, to);
+        }
+    }
+
+    fn modal_force(&self, first: usize) -> [T; 6] {
+        let mut right = [T::zero(); 6];
+        for (place, force) in right.iter_mut().zip(self.net.modal.as_slice().iter().skip(first)) {
+            *place = *force;
+        }
+        right
+    }
+
+    fn finish_modes(&mut self, first: usize, modal: &[T; 6]) {
+        for (place, entry) in self.motion.modal.as_mut_slice().iter_mut().skip(first).zip(modal) {
+            *place = *entry;
+        }
     }
 
     fn attach(
@@ -283,11 +357,33 @@ where
         let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
         let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else { return };
         *count = rows;
-        *effects = match &self.span {
-            Some((span, _)) => SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut()),
-            None => PlacedMarker::with_axes(marker, &self.state, &self.axes)
-                .generalised_forces(gradients, modal.as_mut()),
-        };
+        match &self.span {
+            Some((span, _)) => {
+                *effects = SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut());
+            }
+            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).generalised_forces(
+                gradients,
+                effects,
+                modal.as_mut(),
+            ),
+        }
+        if self.kept.kept().is_some() {
+            if let Some(compliances) = compliances {
+                // what these rows would meet if the modes were eliminated: one measure for all bodies
+                let mut met = *effects;
+                for (followed, modal) in eliminated.followed.as_ref().iter().zip(modal.as_ref()) {
+                    six_times!(K: { subtract_scaled(&mut met[K], followed[K], modal); });
+                }
+                for (effect, yields) in met.iter().zip(&self.yields) {
+                    add_products(compliances, effect, &scaled(*yields, effect));
+                }
+                eliminated.modal.solve_sixes_to(weighted, modal);
+                for (modal, weighted) in modal.as_ref().iter().zip(weighted.as_ref()) {
+                    add_products(compliances, modal, weighted);
+                }
+            }
+            return;
+        }
         // component by component, so that the sums stay in registers
         six_times!(K: {
             let mut effect = effects[K];
@@ -304,8 +400,7 @@ where
         match &self.frame {
             Some(frame) => frame.to_components(effects),
             None => {
-                weighted.clone_from(modal);
-                eliminated.modal.solve_sixes(weighted);
+                eliminated.modal.solve_sixes_to(weighted, modal);
             }
         }
     }
@@ -313,7 +408,7 @@ where
     fn subtract_compliance(&self, slot: usize, other: usize, from: &mut Square<T>) {
         let rows = self.rows.as_ref();
         let (Some(rows), Some(other)) = (rows.get(slot), rows.get(other)) else { return };
-        if other.weighted.as_ref().is_empty() {
+        if other.weighted.as_ref().is_empty() || self.kept.kept().is_some() {
             return;
         }
         six_times!(K: { if K < rows.count {
@@ -326,6 +421,10 @@ where
     }
 
     fn reduced_force(&mut self) -> [T; 6] {
+        if self.kept.kept().is_some() {
+            let (force, moment) = (&self.net.force, &self.net.moment);
+            return [force.x, force.y, force.z, moment.x, moment.y, moment.z];
+        }
         let Some(eliminated) = &self.eliminated else { return [T::zero(); 6] };
         self.alone = eliminated.modal.solve(&self.net.modal);
         let force = eliminated.reduced_force(&self.net).into();
@@ -370,6 +469,11 @@ where
     }
 
     fn finish(&mut self, rigid: &[T; 6]) {
+        if self.kept.kept().is_some() {
+            let [x, y, z, r_x, r_y, r_z] = *rigid;
+            (self.motion.linear, self.motion.angular) = (Vector3::new(x, y, z), Vector3::new(r_x, r_y, r_z));
+            return;
+        }
         if let Some(eliminated) = &self.eliminated {
             let rigid = self.frame.as_ref().map_or(*rigid, |frame| frame.motion(rigid));
             self.motion = eliminated.with_modes(&Vector6::from(rigid), self.alone.clone());

@@ -35,7 +35,9 @@ impl<T: RealField + Copy> Attachment<T> {
         let Some(port) = self.body.and_then(|body| ports.port(body)) else {
             return MarkerMotion::fixed(self.position, self.orientation);
         };
-        port.marker_motion(self.marker).turned(&self.orientation)
+        let mut motion = port.marker_motion(self.marker);
+        motion.turn(&self.orientation);
+        motion
     }
 
     /// The attached triad over a step of the energy-momentum method; `None` on the ground and outside of those.

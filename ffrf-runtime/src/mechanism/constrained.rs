@@ -8,6 +8,10 @@ use crate::integrators::{
     StiffSystem, System, Tolerances, displaced, elastic_at_rest,
 };
 
+/// The share of a step's drift that its projection may leave: what a step leaves open is of the size of its error, and more
+/// digits of it say nothing about the motion.
+const ENOUGH: f64 = 1e-6;
+
 /// A mechanism as a system that integrators advance.
 #[derive(Debug, Clone, Copy)]
 pub struct Constrained<'a, A>(pub &'a A);
@@ -141,7 +145,6 @@ impl<A> Constrained<'_, A> {
         if assembly.connections().is_empty() {
             return Ok((state, Drift::none()));
         }
-        let round_off: T = T::default_epsilon() * nalgebra::convert(16.0);
         let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None, chart: None });
         let mut ports = assembly.ports(state, implicit);
         let drift = assembly.with_storage(with_soft, |storage| {
@@ -150,11 +153,13 @@ impl<A> Constrained<'_, A> {
             evaluated.evaluate(&drive);
             let mut left = evaluated.residuals();
             let drift = Drift { position: left.0[0], velocity: left.0[1] };
+            let round_off = evaluated.round_off();
             let mut factored = false;
             for level in [Level::Position, Level::Velocity] {
+                let index = if level == Level::Position { 0 } else { 1 };
+                let enough = round_off[index].max(left.0[index] * nalgebra::convert(ENOUGH));
                 for _ in 0..iterations {
-                    let open = if level == Level::Position { left.0[0] } else { left.0[1] };
-                    if open <= round_off {
+                    if left.0[index] <= enough {
                         break;
                     }
                     let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
@@ -168,7 +173,10 @@ impl<A> Constrained<'_, A> {
                     evaluated.correct(level);
                     assembly.correct(&mut ports, level);
                     let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
-                    evaluated.evaluate(&drive);
+                    match level {
+                        Level::Position => evaluated.evaluate(&drive),
+                        Level::Velocity => evaluated.follow_velocities(),
+                    }
                     left = evaluated.residuals();
                 }
             }
@@ -254,6 +262,13 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
     }
 }
 
+/// Friction at a state, from that of a stage of half the length and that of the whole one: to second order where modes are
+/// resolved, at most twice as much where they are not, and never in the direction of the motion.
+fn extrapolated<T: RealField + Copy>(near: T, far: T) -> T {
+    let effort = near + (near - far);
+    if effort * near > T::zero() { effort } else { T::zero() }
+}
+
 impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> {
     fn implicit_rates(
         &self,
@@ -267,15 +282,24 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
         let chart = self.0.soft(0).map(|_| increment);
         let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
         let target = self.0.treatment().target();
-        if subtracted.is_none() || self.0.friction(0).is_none() {
+        if self.0.friction(0).is_none() {
             return self
                 .solve(time, state, implicit, target, None, |ports, _| self.0.collect(ports, increment));
         }
-        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first
-        let whole = Some(ImplicitTerms { gamma_h, subtracted: None, chart });
-        self.solve(time, state.clone(), whole, target, None, |_, storage| {
-            let efforts = Some(&*storage.efforts);
-            self.solve(time, state, implicit, target, efforts, |ports, _| self.0.collect(ports, increment))
+        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first, of this
+        // stage and of one half as long, which tells them at the state itself
+        let whole = |gamma_h| Some(ImplicitTerms { gamma_h, subtracted: None, chart });
+        let half: T = nalgebra::convert(0.5);
+        self.solve(time, state.clone(), whole(gamma_h), target, None, |_, far| {
+            self.solve(time, state.clone(), whole(gamma_h * half), target, None, |_, near| {
+                for (near, far) in near.efforts.iter_mut().zip(far.efforts.iter()) {
+                    *near = extrapolated(*near, *far);
+                }
+                let efforts = Some(&*near.efforts);
+                self.solve(time, state, implicit, target, efforts, |ports, _| {
+                    self.0.collect(ports, increment)
+                })
+            })?
         })?
     }
 }

@@ -24,6 +24,9 @@ pub struct Regularisation<T = f64> {
     pub refinements: usize,
 }
 
+/// The share of a residual that μ may leave in one correction, times the condition number of the rows.
+const NEGLIGIBLE: f64 = 1e-8;
+
 impl<T: RealField + Copy> Regularisation<T> {
     /// For mechanisms whose joints close loops: 1e-9 and two refinements in double precision, 1e-3 and three in single.
     ///
@@ -48,6 +51,13 @@ impl<T: RealField + Copy> Regularisation<T> {
         };
         let share = T::default_epsilon() / self.share;
         squares(change) <= share * share * squares(solution)
+    }
+
+    /// Refinements of corrections of places and velocities, which are repeated until their residuals are small: none, unless
+    /// μ leaves more than digits that a correction does not have.
+    fn refinements_of_corrections(&self) -> usize {
+        let negligible: T = nalgebra::convert(NEGLIGIBLE);
+        if self.share > negligible { self.refinements } else { 0 }
     }
 
     /// For trees, whose rows are never redundant: nothing is added, nothing to refine.
@@ -195,7 +205,40 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 port.subtract_compliance(rows, columns, block);
             }
         }
+        self.place_kept_modes();
+        let blocks = &mut *self.storage.blocks;
         self.plan.elimination.factor(blocks).ok_or(StepError::MassNotPositive)
+    }
+
+    /// Sets the blocks of modes that bodies keep as unknowns.
+    fn place_kept_modes(&mut self) {
+        let blocks = &mut *self.storage.blocks;
+        for place in self.plan.modes {
+            let Some(port) = self.ports.port(place.body) else { continue };
+            if let Some(block) = blocks.get_mut(place.diagonal) {
+                port.modal_mass(place.first, place.first, block);
+            }
+            if let Some(block) = blocks.get_mut(place.frame.index) {
+                port.modal_coupling(place.first, block);
+                if place.frame.transposed {
+                    *block = transposed(block);
+                }
+            }
+        }
+        for place in self.plan.modal_pairs {
+            if let (Some(port), Some(block)) = (self.ports.port(place.body), blocks.get_mut(place.block)) {
+                port.modal_mass(place.rows, place.columns, block);
+            }
+        }
+        for place in self.plan.modal_ends {
+            let Some(port) = self.ports.port(place.body) else { continue };
+            if let Some(block) = blocks.get_mut(place.block.index) {
+                port.modal_rows(place.slot, place.first, block);
+                if place.block.transposed {
+                    *block = transposed(block);
+                }
+            }
+        }
     }
 
     /// Accelerations of every body and multipliers, in the factored state.
@@ -206,6 +249,12 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             let Some(port) = self.ports.port_mut(index) else { continue };
             if let Some(right) = self.storage.right.get_mut(place.node) {
                 *right = port.reduced_force();
+            }
+        }
+        for place in self.plan.modes {
+            let Some(port) = self.ports.port(place.body) else { continue };
+            if let Some(right) = self.storage.right.get_mut(place.node) {
+                *right = port.modal_force(place.first);
             }
         }
         let joints = self.plan.joints.iter().zip(self.connections);
@@ -247,7 +296,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         {
             pull_soft_rows(places, rows, ends, soft_markers, self.ports, right);
         }
-        self.solve();
+        self.solve(self.regularisation.refinements);
     }
 
     /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
@@ -286,10 +335,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 Level::Velocity => scaled(-T::one(), &rows.velocities(ends)),
             };
         }
-        self.solve();
+        self.solve(self.regularisation.refinements_of_corrections());
     }
 
-    fn solve(&mut self) {
+    fn solve(&mut self, refinements: usize) {
         let Storage { blocks, solution, right, shift, .. } = &mut *self.storage;
         let elimination = &self.plan.elimination;
         let (leading, all) = (elimination.leading, elimination.steps.len());
@@ -297,7 +346,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         elimination.solve_forwards(0, blocks, solution);
         elimination.solve_backwards(leading..all, blocks, solution);
         // what μ makes the rows leave over, again and again: multipliers are negative here
-        for refinement in 0..self.regularisation.refinements {
+        for refinement in 0..refinements {
             for (node, (right, solution)) in right.iter_mut().zip(solution.iter()).enumerate() {
                 let last = if refinement == 0 { solution } else { &*right };
                 *right = match shift.get(node) {
@@ -322,6 +371,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 port.finish(rigid);
             }
         }
+        for place in self.plan.modes {
+            if let (Some(port), Some(modal)) = (self.ports.port_mut(place.body), solution.get(place.node)) {
+                port.finish_modes(place.first, modal);
+            }
+        }
         for place in self.plan.joints {
             let Some(multipliers) = solution.get(place.node) else { continue };
             for end in place.ends.iter().flatten() {
@@ -330,6 +384,32 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 }
             }
         }
+    }
+
+    /// Adds the resulting change of velocities to those of the joints' ends, which are where they were; their biases stay
+    /// behind.
+    pub(super) fn follow_velocities(&mut self) {
+        for (connection, ends) in self.connections.iter().zip(self.storage.ends.iter_mut()) {
+            for (attachment, end) in [&connection.first, &connection.second].into_iter().zip(ends) {
+                let Some(port) = attachment.body.and_then(|body| self.ports.port(body)) else { continue };
+                let [linear, angular] = port.resulting_twist(attachment.marker);
+                end.velocity += linear;
+                end.angular_velocity += angular;
+            }
+        }
+    }
+
+    /// Residuals of positions and of velocities that no correction makes smaller: the round-off of what they are
+    /// differences of.
+    pub(super) fn round_off(&self) -> [T; 2] {
+        let mut largest = [T::one(); 2];
+        for end in self.storage.ends.iter().take(self.connections.len()).flatten() {
+            let velocities = end.velocity.iter().chain(end.angular_velocity.iter());
+            largest[0] = end.position.iter().fold(largest[0], |largest, entry| largest.max(entry.abs()));
+            largest[1] = velocities.fold(largest[1], |largest, entry| largest.max(entry.abs()));
+        }
+        let [least, share]: [T; 2] = [16.0, 2.0].map(|units| T::default_epsilon() * nalgebra::convert(units));
+        largest.map(|largest| least.max(share * largest))
     }
 
     /// The largest residual of positions and of velocities, and the joint with the largest position residual.

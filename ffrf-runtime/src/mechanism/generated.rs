@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
-use super::{AttachedRows, Attachment, Connection, along_axis};
+use super::{AttachedRows, Attachment, Connection, KeptModes, along_axis};
 use crate::body::{FlexibleBody, MarkerMotion};
 use crate::joints::{Fixed, JointKind};
 
@@ -63,6 +63,14 @@ pub fn empty_rows<const N: usize, B: FlexibleBody<T>, T: RealField + Copy>(
 ) -> [AttachedRows<B::Modal, T>; N] {
     let zeros = body.undeformed();
     core::array::from_fn(|_| AttachedRows::empty(&zeros))
+}
+
+/// Room for the modes of a body, if it keeps them as unknowns.
+pub fn kept<B: FlexibleBody<T>, T: RealField + Copy>(
+    body: &B,
+    keeps: bool,
+) -> Option<KeptModes<B::Modal, T>> {
+    keeps.then(|| KeptModes::empty(&body.undeformed()))
 }
 
 /// The end of a joint before it is evaluated.

@@ -9,8 +9,8 @@ use crate::forces::Friction;
 /// N is the norm of the force of the joint itself, its drives left out, at the same instant: friction changes reactions, and
 /// they change friction, so both are solved for together, by fixed-point iteration with the factors that are there. So
 /// friction depends on state and time alone, there is nothing to remember between steps, and explicit integrators keep
-/// their order; in linearly implicit steps N is that of the stage's own equations, where stiff modes give way to first order
-/// in the step. Moments that a joint bears (a long guide that is tilted) do not add to N.
+/// their order; in linearly implicit steps N is extrapolated from that of the stage's own equations, where stiff modes give
+/// way, and of a stage half as long, so that they keep theirs. Moments that a joint bears (a long guide that is tilted) do not add to N.
 ///
 /// Source of the law: Coulomb's with the smooth passage through rest of [`Friction`].
 #[derive(Debug, Clone, Copy, PartialEq)]

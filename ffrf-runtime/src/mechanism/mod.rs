@@ -10,9 +10,12 @@ mod constraints;
 mod drive;
 mod element;
 mod elimination;
+mod fixed_plan;
 #[doc(hidden)]
 pub mod generated;
 mod joint_friction;
+mod kept_modes;
+mod kept_plan;
 mod loaded;
 mod moving;
 mod node;
@@ -33,11 +36,16 @@ pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
 pub use drive::{Drive, MOST_COEFFICIENTS, polynomial};
 pub use element::Element;
 pub use elimination::{Elimination, LARGEST_NODE};
+pub use fixed_plan::FixedPlan;
 pub use joint_friction::JointFriction;
+pub use kept_modes::{Keeping, KeptModes};
+pub use kept_plan::{PlanLists, PlanSizes, Unexpanded, keeps_modes};
 pub use loaded::Loaded;
 pub use moving::{Mechanism, NotAssembled};
 pub use node::{Coupling, Step};
-pub use plan::{Block, BodyPlace, EndPlace, JointPlace, Plan, SharedPlace};
+pub use plan::{
+    Block, BodyPlace, EndPlace, JointPlace, ModalEndPlace, ModalPairPlace, ModesPlace, Plan, SharedPlace,
+};
 pub use port::{Phase, Port, Ports};
 pub use rigid_frame::RigidFrame;
 pub use rubbing::FRICTION_PASSES;

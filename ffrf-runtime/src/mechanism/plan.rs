@@ -57,6 +57,47 @@ pub struct SharedPlace {
     pub block: Block,
 }
 
+/// Some of the modes of a body as a node: unknowns of their own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ModesPlace {
+    /// The body.
+    pub body: usize,
+    /// The first of the modes.
+    pub first: usize,
+    /// Its node.
+    pub node: usize,
+    /// Its diagonal block.
+    pub diagonal: usize,
+    /// The block of modes and frame; `transposed` if the frame is the node of the rows.
+    pub frame: Block,
+}
+
+/// Some of the modes of a body and one end of a joint on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ModalEndPlace {
+    /// The body.
+    pub body: usize,
+    /// Which of the ends of joints on the body this is.
+    pub slot: usize,
+    /// The first of the modes.
+    pub first: usize,
+    /// The block of modes and joint; `transposed` if the joint is the node of the rows.
+    pub block: Block,
+}
+
+/// Two nodes of modes of one body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ModalPairPlace {
+    /// The body.
+    pub body: usize,
+    /// The first mode of the rows.
+    pub rows: usize,
+    /// The first mode of the columns.
+    pub columns: usize,
+    /// Their block.
+    pub block: usize,
+}
+
 /// The places of a mechanism.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan<'a> {
@@ -66,6 +107,12 @@ pub struct Plan<'a> {
     pub bodies: &'a [BodyPlace],
     /// The joints.
     pub joints: &'a [JointPlace],
-    /// Pairs of joints on one flexible body.
+    /// Pairs of joints on one flexible body whose modes are eliminated in it.
     pub shared: &'a [SharedPlace],
+    /// The modes of bodies that keep them as unknowns.
+    pub modes: &'a [ModesPlace],
+    /// These modes at the ends of joints.
+    pub modal_ends: &'a [ModalEndPlace],
+    /// These modes among each other, where a body has more of them than a node.
+    pub modal_pairs: &'a [ModalPairPlace],
 }

@@ -37,8 +37,19 @@ pub trait Port<T: RealField + Copy> {
     ///
     /// That motion is a [`RigidFrame`](super::RigidFrame)'s where there are no modes: Z is diagonal then.
     fn rigid_mass(&self, to: &mut [[T; 6]; 6]);
-    /// Whether it has modes, through which rows are coupled.
+    /// Whether it has eliminated modes, through which rows are coupled.
     fn has_modes(&self) -> bool;
+    /// Sets the entries of Θ_ff (with implicit terms) of the modes from `rows` on with those from `columns` on, of a body
+    /// that keeps its modes as unknowns.
+    fn modal_mass(&self, rows: usize, columns: usize, to: &mut [[T; 6]; 6]);
+    /// Sets what couples kept modes from `first` on with the motion of the frame. Shape: modes x 6.
+    fn modal_coupling(&self, first: usize, to: &mut [[T; 6]; 6]);
+    /// Sets the gradients of the rows of attached joint `slot` to kept modes from `first` on. Shape: modes x rows.
+    fn modal_rows(&self, slot: usize, first: usize, to: &mut [[T; 6]; 6]);
+    /// The right-hand side of kept modes from `first` on.
+    fn modal_force(&self, first: usize) -> [T; 6];
+    /// Sets the resulting motion of kept modes from `first` on, after [`finish`](Self::finish).
+    fn finish_modes(&mut self, first: usize, modal: &[T; 6]);
     /// Attaches so many rows of a joint as `slot`: the components of their gradients (force, moment; inertial) at a marker,
     /// side by side. Sets their effects on the components of the frame's motion, and adds what each row meets at the diagonal
     /// of Z about the frame origin to its compliance. Shape: 6 x rows, rows.
@@ -51,7 +62,8 @@ pub trait Port<T: RealField + Copy> {
         effects: &mut [[T; 6]; 6],
         compliances: Option<&mut [T; 6]>,
     );
-    /// Subtracts the compliance of the modes between the rows of two attached joints. Shape: rows x rows of the other.
+    /// Subtracts the compliance of the modes between the rows of two attached joints; of none that are kept.
+    /// Shape: rows x rows of the other.
     fn subtract_compliance(&self, slot: usize, other: usize, from: &mut [[T; 6]; 6]);
     /// Takes the forces as the right-hand side; returns the force on the frame with the modes eliminated. Shape: 6.
     fn reduced_force(&mut self) -> [T; 6];

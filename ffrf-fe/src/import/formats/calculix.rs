@@ -9,7 +9,7 @@ use super::matrix_file;
 use crate::import::ImportError;
 use crate::import::error::shown;
 use crate::import::matrix::line::skip_blank_or_comment;
-use crate::import::matrix::raw_matrix::{Numbering, RawMatrix};
+use crate::import::matrix::raw_matrix::{MatrixRole, Numbering, RawMatrix};
 use crate::import::nodes::NodeLookup;
 use crate::import::text::cursor::Cursor;
 use crate::import::text::source::Source;
@@ -69,9 +69,10 @@ pub(crate) fn read_matrix(
     source: Source,
     nodes: &NodeLookup,
     map: &RowMap,
+    role: MatrixRole,
 ) -> Result<RawMatrix, ImportError> {
     let path = source.path().to_path_buf();
-    let mut matrix = matrix_file::read_square(source, nodes)?;
+    let mut matrix = matrix_file::read_square(source, nodes, role)?;
     if matrix.numbering != Numbering::Listed {
         return Ok(matrix);
     }
@@ -85,6 +86,6 @@ pub(crate) fn read_matrix(
     }
     matrix.entries.renumber(&map.dofs);
     matrix.size = 3 * nodes.len();
-    matrix.numbering = Numbering::Labelled;
+    matrix.numbering = Numbering::Named;
     Ok(matrix)
 }

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use super::nastran::{dmig, op4};
 use super::{listed_matrix, matrix_market, numpy, text_table};
-use crate::import::matrix::raw_matrix::{Dense, RawMatrix, ShapeCheck};
+use crate::import::matrix::raw_matrix::{Dense, MatrixRole, RawMatrix, ShapeCheck};
 use crate::import::matrix::sparse_lines::SparseLines;
 use crate::import::nodes::NodeLookup;
 use crate::import::text::source::Source;
@@ -17,34 +18,47 @@ const ROWS_OF_ANY_MATRIX: usize = 1 << 24;
 struct MatrixFormat {
     /// Whether a file that starts like this is one. The last format takes what the others leave.
     recognises: fn(&[u8]) -> bool,
-    /// Reads a square matrix as listed entries.
-    square: fn(Source, &NodeLookup) -> Result<RawMatrix, ImportError>,
+    /// Reads a square matrix as listed entries; of several, that of the role.
+    square: fn(Source, &NodeLookup, MatrixRole) -> Result<RawMatrix, ImportError>,
     /// Reads a matrix of any shape into columns.
     dense: fn(&Source, &ShapeCheck<'_>) -> Result<Dense, ImportError>,
 }
 
-static FORMATS: [MatrixFormat; 3] = [
+static FORMATS: [MatrixFormat; 5] = [
     MatrixFormat {
         recognises: matrix_market::is_matrix_market,
-        square: |source, _| matrix_market::read_square(source),
+        square: |source, _, _| matrix_market::read_square(source),
         dense: matrix_market::read_dense,
     },
     MatrixFormat {
         recognises: numpy::is_numpy,
-        square: |source, _| numpy::read_square(source),
+        square: |source, _, _| numpy::read_square(source),
         dense: |source, check| numpy::read_dense(source, &["Psi", "psi", "modes", "K_ff"], check),
     },
-    MatrixFormat { recognises: |_| true, square: listed_matrix::read, dense: text_table::read_dense },
+    MatrixFormat { recognises: op4::is_op4, square: op4::read, dense: op4::refuse_dense },
+    MatrixFormat { recognises: dmig::is_dmig, square: dmig::read, dense: dmig::refuse_dense },
+    MatrixFormat {
+        recognises: |_| true,
+        square: |source, nodes, _| listed_matrix::read(source, nodes),
+        dense: text_table::read_dense,
+    },
 ];
 
 fn format_of(source: &Source) -> &'static MatrixFormat {
-    let [first, second, rest] = &FORMATS;
-    [first, second].into_iter().find(|format| (format.recognises)(source.bytes())).unwrap_or(rest)
+    let [first, second, third, fourth, rest] = &FORMATS;
+    [first, second, third, fourth]
+        .into_iter()
+        .find(|format| (format.recognises)(source.bytes()))
+        .unwrap_or(rest)
 }
 
 /// Reads a square matrix of any format.
-pub(crate) fn read_square(source: Source, nodes: &NodeLookup) -> Result<RawMatrix, ImportError> {
-    (format_of(&source).square)(source, nodes)
+pub(crate) fn read_square(
+    source: Source,
+    nodes: &NodeLookup,
+    role: MatrixRole,
+) -> Result<RawMatrix, ImportError> {
+    (format_of(&source).square)(source, nodes, role)
 }
 
 /// Reads a dense matrix of any format. `check` sees the shape before anything of its size is allocated.
@@ -63,7 +77,7 @@ pub(super) fn read_dense(source: &Source, check: &ShapeCheck<'_>) -> Result<Dens
 /// A file that does not follow its format, an asymmetric matrix, or far more rows than entries.
 pub fn read_matrix(path: &Path, nodes: &Nodes) -> Result<SparseMatrix, ImportError> {
     let source = Source::read_unhashed(path, INFLATED_LIMIT)?;
-    let raw = read_square(source, &NodeLookup::new(&nodes.ids))?;
+    let raw = read_square(source, &NodeLookup::new(&nodes.ids), MatrixRole::Unknown)?;
     let most = ROWS_OF_ANY_MATRIX.max(64 * raw.entries.len());
     if raw.size > most {
         return Err(ImportError::SizeMismatch {

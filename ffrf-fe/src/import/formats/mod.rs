@@ -7,6 +7,9 @@ mod dense_matrix;
 mod listed_matrix;
 pub(crate) mod matrix_file;
 mod matrix_market;
+mod mbdyn;
+pub(crate) mod mesh;
+pub(crate) mod nastran;
 mod npy_header;
 mod npz_archive;
 pub(crate) mod numpy;
@@ -14,3 +17,4 @@ pub(crate) mod text_table;
 
 pub use dense_matrix::{read_mode_shapes, read_square_matrix};
 pub use matrix_file::read_matrix;
+pub use mbdyn::read_mbdyn;

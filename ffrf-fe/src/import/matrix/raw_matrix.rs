@@ -37,8 +37,39 @@ pub(crate) enum Numbering {
     Declared,
     /// Rows of a list without header: a row that never occurs is a degree of freedom that was left out.
     Listed,
-    /// Degrees of freedom 3 n + i of the node table, found through labels.
+    /// Degrees of freedom 3 n + i of the node table, found through labels in a list without header.
     Labelled,
+    /// The same, where the format or another file says so.
+    Named,
+}
+
+impl Numbering {
+    /// Whether the indices are degrees of freedom of the node table, of which some may be missing.
+    pub(crate) fn is_labelled(self) -> bool {
+        matches!(self, Self::Labelled | Self::Named)
+    }
+}
+
+/// What a matrix is for, for files that hold several.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MatrixRole {
+    /// M.
+    Mass,
+    /// K.
+    Stiffness,
+    /// Not known.
+    Unknown,
+}
+
+impl MatrixRole {
+    /// The letter with which the names of such matrices start.
+    pub(crate) fn initial(self) -> Option<char> {
+        match self {
+            Self::Mass => Some('M'),
+            Self::Stiffness => Some('K'),
+            Self::Unknown => None,
+        }
+    }
 }
 
 /// Judges a shape (rows, columns) before anything of its size is allocated.
@@ -58,10 +89,10 @@ pub(crate) struct Dense {
 impl RawMatrix {
     /// How a list without a header was read, which it does not say itself; `None` for other files, and for lists whose
     /// rows another file names.
-    pub(crate) fn reading(&self, rows_are_named: bool) -> Option<Note> {
+    pub(crate) fn reading(&self) -> Option<Note> {
         let form = match self.numbering {
             Numbering::Listed => "`row column value`",
-            Numbering::Labelled if !rows_are_named => "`node dof node dof value`",
+            Numbering::Labelled => "`node dof node dof value`",
             _ => return None,
         };
         let (size, entries) = (self.size, self.entries.len());

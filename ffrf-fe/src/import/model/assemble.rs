@@ -110,7 +110,7 @@ pub(crate) fn assemble(
 fn settle(raw: &mut RawMatrix, is_mass: bool) -> Settled {
     let present = match raw.numbering {
         Numbering::Declared => vec![true; raw.size],
-        Numbering::Listed | Numbering::Labelled => raw.entries.present(raw.size),
+        Numbering::Listed | Numbering::Labelled | Numbering::Named => raw.entries.present(raw.size),
     };
     let mut lines = SparseLines::from_entries(std::mem::take(&mut raw.entries), raw.size);
     let huge: Vec<bool> =

@@ -1,7 +1,7 @@
 //! Nodes that no matrix knows: points without elements, or outside the set that was exported.
 
 use crate::import::Note;
-use crate::import::matrix::raw_matrix::{Numbering, RawMatrix};
+use crate::import::matrix::raw_matrix::RawMatrix;
 use crate::import::nodes::{NodeTable, compressed};
 
 use super::coverage::listed;
@@ -19,7 +19,7 @@ pub(crate) fn drop_unused_nodes(
     let nodes = table.nodes.len();
     let mut matrices: Vec<&mut RawMatrix> = std::iter::once(mass).chain(stiffness).collect();
     let labelled: Vec<&RawMatrix> =
-        matrices.iter().filter(|raw| raw.numbering == Numbering::Labelled).map(|raw| &**raw).collect();
+        matrices.iter().filter(|raw| raw.numbering.is_labelled()).map(|raw| &**raw).collect();
     let keep: Vec<bool> = if labelled.is_empty() {
         let Some(attached) = &table.attached else { return };
         let dofs = 3 * attached.iter().filter(|&&attached| attached).count();
@@ -44,7 +44,7 @@ pub(crate) fn drop_unused_nodes(
     let map = compressed(&keep);
     let dof_map: Vec<u32> = map.iter().flat_map(|&row| [3 * row, 3 * row + 1, 3 * row + 2]).collect();
     let kept = keep.iter().filter(|&&keep| keep).count();
-    for raw in matrices.iter_mut().filter(|raw| raw.numbering == Numbering::Labelled) {
+    for raw in matrices.iter_mut().filter(|raw| raw.numbering.is_labelled()) {
         raw.entries.renumber(&dof_map);
         raw.size = 3 * kept;
     }

@@ -13,6 +13,8 @@ pub(crate) struct NodeTable {
     pub(crate) nodes: Nodes,
     /// Elements that can be drawn.
     pub(crate) elements: Vec<Element>,
+    /// Where each element stands in the file, for messages; empty if that is not known.
+    pub(crate) element_places: Vec<usize>,
     /// Materials.
     pub(crate) materials: Vec<SolidMaterial>,
     /// Which nodes belong to some element; `None` if the file has no elements.
@@ -79,7 +81,10 @@ impl NodeTable {
                 .map(|(name, rows)| (name, rows.into_iter().filter(|&old| keep[old]).map(row).collect()))
                 .collect(),
         };
-        self.elements.retain(|element| element.nodes.iter().all(|&old| keep[old]));
+        let stays: Vec<bool> =
+            self.elements.iter().map(|element| element.nodes.iter().all(|&old| keep[old])).collect();
+        self.elements = kept(&self.elements, &stays);
+        self.element_places = kept(&self.element_places, &stays);
         for node in self.elements.iter_mut().flat_map(|element| &mut element.nodes) {
             *node = row(*node);
         }

@@ -6,6 +6,9 @@ mod exports;
 mod formats;
 mod held;
 mod hostile;
+mod mbdyn;
+mod meshes;
+mod nastran;
 mod one_sided;
 
 use std::path::PathBuf;

@@ -8,6 +8,7 @@
 mod model;
 mod motion;
 mod steps;
+mod within;
 
 use ffrf_codegen::{Fidelity, ScalarType};
 
@@ -17,6 +18,7 @@ use crate::scene::Integrator;
 pub use model::Choice;
 pub use motion::{ModeUse, Motion, TermUse};
 pub use steps::{Candidate, Pilot};
+pub use within::{Affordable, PlanWithin, StepBudget, plan_within};
 
 /// What a plan may choose from, and for what.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +31,18 @@ pub struct PlanOptions {
     pub integrators: Vec<Integrator>,
     /// Number types to choose from; the smaller is taken where its rounding is small against the budget.
     pub scalars: Vec<ScalarType>,
+}
+
+/// One method for what is not stiff and its fellow of higher order, and two that take stiff modes implicitly.
+const INTEGRATORS: [Integrator; 4] =
+    [Integrator::Rk4, Integrator::Dopri5, Integrator::LinearlyImplicit, Integrator::GeneralizedAlpha];
+
+impl PlanOptions {
+    /// What is usual for an error that is allowed: every sensor, four integrators, both number types.
+    pub fn usual(error: f64) -> Self {
+        let scalars = vec![ScalarType::F64, ScalarType::F32];
+        Self { error, quantities: Vec::new(), integrators: INTEGRATORS.to_vec(), scalars }
+    }
 }
 
 /// A configuration for a budget, with what it rests on.
@@ -110,7 +124,8 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
     };
     let wanted =
         Configuration { modes: count, fidelity, scalar: ScalarType::F64, integrator: best.integrator, step };
-    let (scalar, rounding) = scalar(study, &reference, model, &wanted, options);
+    let left = options.error - model.error - best.step_error - reference.own_error();
+    let (scalar, rounding) = scalar(study, &reference, model, &wanted, options, left);
     let parts = [model.error, best.step_error, rounding, reference.own_error()];
     Ok(Plan {
         configuration: Configuration { scalar, ..wanted },
@@ -133,12 +148,14 @@ fn survey(
 }
 
 /// The number type, and what its rounding adds: single precision where it is allowed and its run stays close to that in double.
+/// `left`: of the budget.
 fn scalar(
     study: &Study,
     reference: &Reference,
     model: &model::Model,
     wanted: &Configuration,
     options: &PlanOptions,
+    left: f64,
 ) -> (ScalarType, f64) {
     let allowed = |scalar| options.scalars.contains(&scalar);
     if !allowed(ScalarType::F32) {
@@ -149,7 +166,7 @@ fn scalar(
         return (ScalarType::F64, 0.0);
     };
     let rounding = reference.distances(&double, &single).into_iter().fold(0.0, f64::max);
-    if rounding <= ROUNDING_SHARE * options.error || !allowed(ScalarType::F64) {
+    if rounding <= left.min(ROUNDING_SHARE * options.error) || !allowed(ScalarType::F64) {
         (ScalarType::F32, rounding)
     } else {
         (ScalarType::F64, 0.0)

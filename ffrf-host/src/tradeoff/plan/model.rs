@@ -29,7 +29,7 @@ pub(super) struct Model {
 }
 
 /// The levels from the cheapest; each is nested in the next.
-const LEVELS: [Fidelity; 3] = [Fidelity::Constant, Fidelity::Linear, Fidelity::Full];
+pub(super) const LEVELS: [Fidelity; 3] = [Fidelity::Constant, Fidelity::Linear, Fidelity::Full];
 
 /// Tries models, each once.
 pub(super) struct Search<'a> {

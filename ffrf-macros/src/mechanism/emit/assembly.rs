@@ -1,12 +1,11 @@
 //! What integrators need of a mechanism: the implementation of `Assembly`.
 
-use ffrf_codegen::mechanism::MechanismPlan;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use super::forces::{forces, friction_count};
-use super::plan::plan;
-use super::{Names, markers_of, slice, slice_mut};
+use super::plan::{Layout, hubs, layout};
+use super::{Names, hubs_of, markers_of, slice, slice_mut};
 use crate::mechanism::bodies::Body;
 use crate::mechanism::scalar::Scalar;
 use crate::mechanism::spec::Spec;
@@ -15,18 +14,22 @@ use crate::mechanism::spec::Spec;
 pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
     let Names { model, state, increment, ports } = names;
     let (bound, used, t) = (spec.scalar.bound(), spec.scalar.used(), spec.scalar.name());
-    let (mut constants, plan_expression) = plan(&spec.plan, "");
+    let hard = layout(&spec.plan, "");
+    let mut constants = hubs(spec);
+    constants.extend(hard.constants.clone());
     let soft_storage = spec.soft.as_ref().map(|(soft, links)| {
-        let (of_soft, expression) = plan(soft, "SOFT_");
+        let soft = layout(soft, "SOFT_");
+        let (of_soft, expression) = (&soft.constants, &soft.plan);
         constants.extend(quote! {
             #of_soft
             fn soft_plan() -> places::Plan<'static> {
                 #expression
             }
         });
-        storage(spec, soft, *links)
+        storage(spec, &soft, *links)
     });
-    let only_hard = storage(spec, &spec.plan, 0);
+    let only_hard = storage(spec, &hard, 0);
+    let plan_expression = &hard.plan;
     let storage = match soft_storage {
         None => only_hard,
         Some(with_soft) => quote! {
@@ -280,10 +283,10 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
 }
 
 /// The call of `use_it` with the numbers of a plan.
-fn storage(spec: &Spec, plan: &MechanismPlan, links: usize) -> TokenStream {
+fn storage(spec: &Spec, layout: &Layout, links: usize) -> TokenStream {
     let t = spec.scalar.name();
     let zero = quote! { ::ffrf::generated_support::constant::<#t>(0.0) };
-    let (blocks, nodes, frictions) = (plan.block_count, plan.node_count, friction_count(spec));
+    let (blocks, nodes, frictions) = (&layout.blocks, &layout.nodes, friction_count(spec));
     let all = spec.connections + links;
     quote! {
         use_it(&mut ::ffrf::mechanism::Storage {
@@ -317,17 +320,32 @@ fn port(body: &Body, spec: &Spec) -> TokenStream {
             })
         }
     };
+    let hubs = hubs_of(body, spec);
+    let (make, kept) = if hubs.is_empty() {
+        (quote! { new }, TokenStream::new())
+    } else {
+        (
+            quote! { keeping },
+            match body.count {
+                None => quote! { support::kept(&self.#field, KEEPS_MODES), },
+                Some(_) => quote! { support::kept(body, KEEPS_MODES && [#(#hubs),*].contains(&number)), },
+            },
+        )
+    };
+    let number = (!hubs.is_empty()).then(|| quote! { let number = numbers.next().unwrap_or(0); });
+    let numbers = (!hubs.is_empty()).then(|| quote! { let mut numbers = 0_usize..; });
     match body.count {
         None => {
             let of_body = |what: TokenStream| quote! { terms.#what.map(|all| &all.#field) };
             let terms = terms(of_body(quote! { subtracted }), of_body(quote! { chart }));
             quote! {
-                #field: ::ffrf::mechanism::BodyPort::new(
+                #field: ::ffrf::mechanism::BodyPort::#make(
                     &self.#field,
                     &self.#markers,
                     state.#field,
                     support::empty_rows(&self.#field),
                     #terms,
+                    #kept
                 )
             }
         }
@@ -340,16 +358,19 @@ fn port(body: &Body, spec: &Spec) -> TokenStream {
                     let mut changes = all.map(|all| all.#field.iter());
                     let all = implicit.and_then(|terms| terms.chart);
                     let mut charts = all.map(|all| all.#field.iter());
+                    #numbers
                     self.#field.each_ref().map(|body| {
+                        #number
                         let subtracted = changes.as_mut().and_then(::core::iter::Iterator::next);
                         let chart = charts.as_mut().and_then(::core::iter::Iterator::next);
                         let state = states.next().copied();
-                        ::ffrf::mechanism::BodyPort::new(
+                        ::ffrf::mechanism::BodyPort::#make(
                             body,
                             &self.#markers,
                             state.unwrap_or_else(|| ::ffrf::State::<_, #t>::at_rest(body)),
                             support::empty_rows(body),
                             #terms,
+                            #kept
                         )
                     })
                 }

@@ -76,6 +76,12 @@ fn modal(body: &Body, spec: &Spec) -> TokenStream {
     quote! { <#kind as ::ffrf::FlexibleBody<#t>>::Modal }
 }
 
+/// Which of the bodies of a field have many joints, counted from its first.
+fn hubs_of(body: &Body, spec: &Spec) -> Vec<usize> {
+    let here = body.first..body.first + body.len();
+    spec.hubs.iter().filter(|hub| here.contains(&hub.body)).map(|hub| hub.body - body.first).collect()
+}
+
 /// The field of a model that holds the markers used on a body.
 fn markers_of(body: &Body) -> Ident {
     format_ident!("markers_of_{}", body.name)

@@ -24,6 +24,22 @@ pub enum ElementError {
         /// The determinant. Units: m³.
         determinant: f64,
     },
+    /// An element of numbers that cannot be added up.
+    #[error("an entry of its matrices is {value:e}: expected less than {limit:e}")]
+    TooLarge {
+        /// The entry. Units: kg or N/m.
+        value: f64,
+        /// Smallest value refused.
+        limit: f64,
+    },
+    /// An element of a model that has a fault of its own.
+    #[error("element {element} (from 0): {fault}")]
+    Numbered {
+        /// Number of the element from 0.
+        element: usize,
+        /// What is wrong with it.
+        fault: Box<ElementError>,
+    },
     /// An element at a row beyond the node table.
     #[error("element {element}: node row {row} does not exist, there are {nodes} nodes (rows from 0)")]
     UnknownNode {

@@ -1,0 +1,3 @@
+//! Writers of reduced bodies in the formats of other multibody programs.
+
+pub mod mbdyn;

@@ -1,0 +1,4 @@
+//! Fuzz target `mesh`, see `ffrf_fuzz::TARGETS`.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| ffrf_fuzz::run("mesh", data).assert_sound());

@@ -1,0 +1,4 @@
+//! Fuzz target `vtu`, see `ffrf_fuzz::TARGETS`.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|data: &[u8]| ffrf_fuzz::run("vtu", data).assert_sound());
