@@ -53,6 +53,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
                 &["faer", "nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
+        ("ffrf-c-interface", entry(&["ffrf"], &[])),
         ("ffrf-fmu", entry(&["ffrf-host"], &["sha2", "thiserror"])),
         ("ffrf-python", entry(&["ffrf-cli", "ffrf-host", "ffrf-model"], &["anyhow", "pyo3", "serde_json"])),
         (
