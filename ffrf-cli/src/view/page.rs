@@ -3,7 +3,7 @@
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 
-const THREE: &str = include_str!("../../assets/three/three.min.js");
+const THREE: &str = include_str!("../../vendor/three/three.min.js");
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
