@@ -19,6 +19,7 @@ mod fe_input;
 mod generate;
 mod inspect;
 mod linearise;
+mod markup;
 mod modes;
 mod output;
 pub mod plan;

@@ -99,27 +99,27 @@ fn reduced(arguments: &Reduce, listener: &mut dyn Listener) -> Result<(ReducedBo
         listener.say(&format!("{remark}\n"))?;
     }
     let mut options = options(arguments, &model.nodes)?;
-    let body = if arguments.interfaces.interfaces.is_empty() {
+    let (body, basis) = if arguments.interfaces.interfaces.is_empty() {
         with_eigenmodes(arguments, &mut model, &mut options, listener)?
     } else {
         let progress = &mut |progress| listener.progress(progress);
         let (body, basis, text) = component_modes::reduce(&model, arguments, &options, progress)?;
         listener.say(&format!("{text}\n"))?;
-        draw(arguments, &model, &basis, &body, listener)?;
-        body
+        (body, basis)
     };
+    draw(arguments, &model, &basis, &body, listener)?;
     let checks = body.check()?;
     checks.verdict()?;
     Ok((body, checks))
 }
 
-/// The body with eigenmodes or the user's mode shapes.
+/// The body with eigenmodes or the user's mode shapes, and its basis.
 fn with_eigenmodes(
     arguments: &Reduce,
     model: &mut FeModel,
     options: &mut ReductionOptions,
     listener: &mut dyn Listener,
-) -> Result<ReducedBody> {
+) -> Result<(ReducedBody, ModeBasis)> {
     let conversion = arguments.files.conversion();
     let progress = &mut |progress| listener.progress(progress);
     let solution = modes::solve(model, &arguments.choice, None, conversion, progress)?;
@@ -144,8 +144,7 @@ fn with_eigenmodes(
     let support = stiffening::support(model, &arguments.choice)?;
     stiffening::add(&mut body, model, &solution.basis, &support, &arguments.stiffening, conversion)?;
     stress::add(&mut body, model, &solution.basis, arguments)?;
-    draw(arguments, model, &solution.basis, &body, listener)?;
-    Ok(body)
+    Ok((body, solution.basis))
 }
 
 /// Writes the pictures that are asked for.

@@ -5,6 +5,7 @@ use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 use serde::Serialize;
 
 use super::row::Row;
+use crate::markup::escaped;
 use crate::trade_text::describe_reference;
 
 const STYLE: &str = include_str!("page.css");
@@ -107,8 +108,4 @@ fn row_data(row: &Row<'_>) -> RowData {
         failure,
         found,
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -3,13 +3,15 @@
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 
+use crate::markup::escaped;
+
 const THREE: &str = include_str!("../../vendor/three/three.min.js");
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
 /// The page. `name`: of the file, for its title bar.
 pub fn html(name: &str, glb: &[u8]) -> String {
-    let name = name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    let name = escaped(name);
     let model = BASE64_STANDARD.encode(glb);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\

@@ -10,6 +10,7 @@ use ffrf_model::ReducedBody;
 
 use super::projection::{Colour, Projection};
 use crate::animation::mode_name;
+use crate::markup::escaped;
 
 /// One picture. Units: px.
 const PICTURE: [usize; 2] = [360, 240];
@@ -53,11 +54,12 @@ pub fn draw(body: &ReducedBody, shape: &Shape) -> Result<String> {
     );
     let projection =
         Projection::around(shape.points.iter().copied(), PICTURE.map(|points| points * FINENESS), 0.09);
+    let drawn = DRAWN * size(shape);
     let still = vec![[0.0; 3]; shape.points.len()];
     for mode in 0..count {
         let [x, y] = [(mode % COLUMNS) * PICTURE[0], HEAD + (mode / COLUMNS) * (PICTURE[1] + TITLE)];
         let moved = shape.modes.get(mode).unwrap_or(&still);
-        let picture = png(projection.draw(triangles(shape, moved)))?;
+        let picture = png(projection.draw(triangles(shape, moved, drawn)))?;
         let name = body.modes.get(mode).map_or_else(|| "at rest".to_owned(), |one| mode_name(one, mode + 1));
         let [picture_width, picture_height] = PICTURE;
         let _ = write!(
@@ -98,13 +100,8 @@ fn scale(width: usize, y: usize) -> String {
     text
 }
 
-/// The surface moved by a mode, coloured by how far.
-fn triangles<'a>(
-    shape: &'a Shape,
-    moved: &'a [[f64; 3]],
-) -> impl Iterator<Item = [([f64; 3], Colour); 3]> + 'a {
-    let length = |moved: &[f64; 3]| moved.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let most = moved.iter().map(length).fold(0.0, f64::max);
+/// From one corner of the box around the part at rest to the other.
+fn size(shape: &Shape) -> f64 {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for point in &shape.points {
         for axis in 0..3 {
@@ -112,8 +109,18 @@ fn triangles<'a>(
             high[axis] = high[axis].max(point[axis]);
         }
     }
-    let size = low.iter().zip(high).map(|(low, high)| (high - low).powi(2)).sum::<f64>().sqrt();
-    let factor = if most > 0.0 { DRAWN * size / most } else { 0.0 };
+    low.iter().zip(high).map(|(low, high)| (high - low).powi(2)).sum::<f64>().sqrt()
+}
+
+/// The surface moved by a mode, at most by `drawn`, coloured by how far.
+fn triangles<'a>(
+    shape: &'a Shape,
+    moved: &'a [[f64; 3]],
+    drawn: f64,
+) -> impl Iterator<Item = [([f64; 3], Colour); 3]> + 'a {
+    let length = |moved: &[f64; 3]| moved.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let most = moved.iter().map(length).fold(0.0, f64::max);
+    let factor = if most > 0.0 { drawn / most } else { 0.0 };
     shape.triangles.iter().map(move |corners| {
         corners.map(|corner| {
             let [point, by] = [shape.points.as_slice(), moved]
@@ -137,8 +144,4 @@ fn png((width, height, bytes): (usize, usize, Vec<u8>)) -> Result<Vec<u8>> {
     })();
     written.context("a picture of a mode")?;
     Ok(file)
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
