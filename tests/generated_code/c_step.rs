@@ -17,7 +17,7 @@ const STEPS: usize = 200;
 /// What C may differ by from Rust after each of them, in units in the last place of the largest number of the state. Both do
 /// the same operations in the same order, but for those of products of quaternions and vectors in nalgebra. Each step adds
 /// some round-off of its own, which the motion of these bodies does not magnify.
-const LAST_PLACES: f64 = 4.0;
+const LAST_PLACES: f64 = 1.0;
 
 /// A state of M modes as numbers: position, orientation, q, velocity, omega, q_dot.
 fn start(modes: usize) -> Vec<f64> {

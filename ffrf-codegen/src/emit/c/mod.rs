@@ -5,7 +5,8 @@
 //! PREFIX.c    markers, one function for each kernel, and a step of the free body about them
 //! ```
 //!
-//! No heap, no recursion, no loop but those of fixed length in the step, no global that changes; `sqrt` is all that is taken from the library.
+//! No heap, no recursion, no loop but those of fixed length in the step, no global that changes; `sqrt` is all that is taken
+//! from the library.
 
 mod declaration;
 mod function;
