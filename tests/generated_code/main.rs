@@ -5,6 +5,7 @@
 mod bodies;
 mod c;
 mod c_program;
+mod c_step;
 mod jacobians;
 #[rustfmt::skip]
 #[path = "../golden/constant_m2.rs"]
