@@ -106,10 +106,10 @@ pub(crate) fn sum<T: RealField + Copy>([a, b, c, d, e, f]: &[T; 6]) -> T {
     (*a + *c + *e) + (*b + *d + *f)
 }
 
-/// The transpose.
-#[inline(always)]
-pub(crate) fn transposed<T: RealField + Copy>(square: &Square<T>) -> Square<T> {
-    let mut result = *square;
-    six_times!(I: { six_times!(J: { result[I][J] = square[J][I]; }); });
-    result
+/// Transposes in place.
+#[inline]
+pub(crate) fn transpose<T: RealField + Copy>(square: &mut Square<T>) {
+    six_times!(I: { six_times!(J: { if I < J {
+        (square[I][J], square[J][I]) = (square[J][I], square[I][J]);
+    } }); });
 }

@@ -229,7 +229,9 @@ pub(super) fn stage<S: System<T>, T: RealField + Copy, R>(
     found: Result<R, StepError>,
 ) -> Result<R, StepError> {
     match found {
-        Err(StepError::MassNotPositive) => Err(refusal(system, time, state, implicit)),
+        Err(StepError::MassNotPositive | StepError::BodyNotPositive { .. }) => {
+            Err(refusal(system, time, state, implicit))
+        }
         found => found,
     }
 }

@@ -41,11 +41,14 @@ pub struct Elimination<'a> {
     pub couplings: &'a [Coupling],
     /// Where the blocks of each pair of couplings begin.
     pub targets: &'a [usize],
+    /// Whether rows are those of one instant: those of joints that hold a point are then as [`Coupling::holds_point`] says.
+    /// In a step of the energy-momentum method they are means, and full.
+    pub of_instant: bool,
 }
 
 impl<'a> Elimination<'a> {
     fn nodes(&self, range: Range<usize>) -> impl DoubleEndedIterator<Item = Node<'a>> + use<'a> {
-        let (steps, couplings, targets) = (self.steps, self.couplings, self.targets);
+        let Self { steps, couplings, targets, of_instant, .. } = *self;
         range.filter_map(move |index| {
             let step = steps.get(index)?;
             let end = steps.get(index + 1).map_or(couplings.len(), |next| next.couplings);
@@ -53,6 +56,7 @@ impl<'a> Elimination<'a> {
                 step,
                 couplings: couplings.get(step.couplings..end)?,
                 targets: targets.get(step.targets..)?,
+                of_instant,
             })
         })
     }
@@ -63,7 +67,7 @@ impl<'a> Elimination<'a> {
     }
 
     /// Factors the matrix in place. `None` if a pivot is zero or not finite.
-    pub(super) fn factor<T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<()> {
+    pub(super) fn factor<T: RealField + Copy>(&self, blocks: &mut [Option<Square<T>>]) -> Option<()> {
         for node in self.nodes(0..self.steps.len()) {
             by_size!(node.factor(blocks))?;
         }
@@ -74,7 +78,7 @@ impl<'a> Elimination<'a> {
     pub(super) fn solve_forwards<T: RealField + Copy>(
         &self,
         start: usize,
-        blocks: &[Square<T>],
+        blocks: &[Option<Square<T>>],
         unknowns: &mut [[T; 6]],
     ) {
         for node in self.nodes(start..self.steps.len()) {
@@ -86,7 +90,7 @@ impl<'a> Elimination<'a> {
     pub(super) fn solve_backwards<T: RealField + Copy>(
         &self,
         range: Range<usize>,
-        blocks: &[Square<T>],
+        blocks: &[Option<Square<T>>],
         unknowns: &mut [[T; 6]],
     ) {
         for node in self.nodes(range).rev() {

@@ -10,6 +10,8 @@ mod constraints;
 mod drive;
 mod element;
 mod elimination;
+mod energy;
+mod evaluated_joint;
 mod fixed_plan;
 #[doc(hidden)]
 pub mod generated;
@@ -36,6 +38,8 @@ pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
 pub use drive::{Drive, MOST_COEFFICIENTS, polynomial};
 pub use element::Element;
 pub use elimination::{Elimination, LARGEST_NODE};
+pub use energy::{Energy, Momentum};
+pub use evaluated_joint::EvaluatedJoint;
 pub use fixed_plan::FixedPlan;
 pub use joint_friction::JointFriction;
 pub use kept_modes::{Keeping, KeptModes};
