@@ -108,6 +108,7 @@ pub(crate) fn sum<T: RealField + Copy>([a, b, c, d, e, f]: &[T; 6]) -> T {
 
 /// Transposes in place.
 #[inline]
+#[allow(clippy::absurd_extreme_comparisons)] // the comparison is one of constants: always false for the first of them
 pub(crate) fn transpose<T: RealField + Copy>(square: &mut Square<T>) {
     six_times!(I: { six_times!(J: { if I < J {
         (square[I][J], square[J][I]) = (square[J][I], square[I][J]);
