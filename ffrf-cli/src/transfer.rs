@@ -10,10 +10,7 @@ use ffrf_fe::component_modes::{
 };
 
 use crate::arguments::InterfaceChoice;
-use crate::plots;
-
-/// What the basis of one curve is called, and its points.
-pub type Curve = (String, Vec<TransferPoint>);
+use crate::plots::{self, Curve};
 
 /// Table of the truncation error over frequency, and its plot.
 pub fn compare(

@@ -10,7 +10,9 @@ use plotters::prelude::{
 };
 
 use super::{GREY, PALE, colour, draw_series_names, text};
-use crate::transfer::Curve;
+
+/// What the basis of one curve is called, and its points.
+pub type Curve = (String, Vec<TransferPoint>);
 
 const SIZE: (u32, u32) = (900, 620);
 /// Pixels of the upper panel.
