@@ -254,6 +254,15 @@ fn mechanisms_in_c_move_as_on_the_desktop() {
         ),
         case("four-bar", example("four_bar.toml", "symplectic_euler", 1.0 / 1024.0), 500, 1.0, 1.0),
         case("governor", example("governor.toml", "linearly_implicit_euler", 1.0 / 1024.0), 500, 10.0, 10.0),
+        // without a joint
+        case("rotor", example("rotor.toml", "linearly_implicit", 1.0 / 16384.0), 500, 10.0, 10.0),
+        case(
+            "tumbling rod",
+            example("tumbling_rod.toml", "linearly_implicit", 1.0 / 1024.0),
+            500,
+            10.0,
+            10.0,
+        ),
         case("every joint, explicit", every_joint("rk4"), 200, 10.0, 10.0),
         case("every joint, implicit", every_joint("linearly_implicit"), 200, 10.0, 10.0),
     ];

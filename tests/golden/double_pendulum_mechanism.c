@@ -1403,7 +1403,6 @@ int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *i
     int status;
     int index;
     int k;
-    int j;
     terms.gamma_h = (real)0;
     terms.subtracted = NULL;
     terms.increment = NULL;
@@ -1447,18 +1446,6 @@ int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *i
             values[0] = relative_angle(work.at[one->link]);
             break;
         default:
-            /* a reaction on the second body, of a joint and of its drive behind it */
-            for (j = one->link; j < one->link + one->link_count; j++) {
-                const real *gradients = work.rows[j].gradients[1];
-                for (k = 0; k < work.rows[j].count; k++) {
-                    const real multiplier = -work.solution[6 * links[j].node + k];
-                    const int first = one->kind == REACTION_FORCE ? 0 : 3;
-                    vector[0] += gradients[6 * first + k] * multiplier;
-                    vector[1] += gradients[6 * (first + 1) + k] * multiplier;
-                    vector[2] += gradients[6 * (first + 2) + k] * multiplier;
-                }
-            }
-            copy(3, vector, values);
             break;
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::MechanismSubject;
-use crate::mechanism::{BodyKind, ElementKindModel, RelationModel, SensorKindModel, StepMethod};
+use crate::mechanism::{BodyKind, ElementKindModel, RelationModel, SensorKindModel, SensorModel, StepMethod};
 
 /// The features of a mechanism.
 pub(super) fn of(subject: &MechanismSubject<'_>) -> BTreeSet<&'static str> {
@@ -44,6 +44,9 @@ pub(super) fn of(subject: &MechanismSubject<'_>) -> BTreeSet<&'static str> {
     let turning = subject.soft.iter().any(is_turning);
     let gradients = |relation: &RelationModel| !matches!(relation, RelationModel::Coincident);
     let mut relations = model.joints.iter().flat_map(|joint| &joint.relations);
+    let is_reaction = |sensor: &SensorModel| {
+        matches!(sensor.kind, SensorKindModel::ReactionForce(..) | SensorKindModel::ReactionMoment(..))
+    };
     let implicit = model.method.is_implicit();
     features.extend(
         [
@@ -55,6 +58,7 @@ pub(super) fn of(subject: &MechanismSubject<'_>) -> BTreeSet<&'static str> {
             ("ACTUATORS", !model.actuators.is_empty()),
             ("FORCES", !(model.elements.is_empty() && model.actuators.is_empty())),
             ("SENSORS", !model.sensors.is_empty()),
+            ("REACTION", model.sensors.iter().any(is_reaction)),
             ("SHARED", !subject.plan.shared.is_empty()),
             ("SOFT", !subject.soft.is_empty()),
             ("TURNING", turning),

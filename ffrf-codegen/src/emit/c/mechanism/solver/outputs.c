@@ -6,7 +6,6 @@ int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_out
     int status;
     int index;
     int k;
-    int j;
     terms.gamma_h = (real)0;
     terms.subtracted = NULL;
     terms.increment = NULL;
@@ -51,8 +50,11 @@ int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_out
             values[0] = relative_angle(work.at[one->link]);
             break;
 //@ end
-        default:
-            /* a reaction on the second body, of a joint and of its drive behind it */
+//@ if REACTION
+        case REACTION_FORCE:
+        case REACTION_MOMENT: {
+            /* on the second body, of a joint and of its drive behind it */
+            int j;
             for (j = one->link; j < one->link + one->link_count; j++) {
                 const real *gradients = work.rows[j].gradients[1];
                 for (k = 0; k < work.rows[j].count; k++) {
@@ -64,6 +66,10 @@ int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_out
                 }
             }
             copy(3, vector, values);
+            break;
+        }
+//@ end
+        default:
             break;
         }
     }
