@@ -4,6 +4,7 @@
 #[path = "../golden/bodies.rs"]
 mod bodies;
 mod c;
+mod c_mechanism;
 mod c_program;
 mod c_step;
 mod jacobians;

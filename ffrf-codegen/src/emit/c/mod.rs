@@ -11,9 +11,12 @@
 mod declaration;
 mod function;
 mod markers;
+mod mechanism;
 mod notation;
 mod step;
 mod text;
+
+pub(crate) use self::mechanism::{MechanismSubject, Names, mechanism};
 
 use self::declaration::Declaration;
 use self::notation::Notation;
@@ -85,6 +88,19 @@ pub(super) fn files(subject: &Subject<'_>, kernels: &[ValidKernel]) -> Files {
         header,
         prefix: style.prefix,
     }
+}
+
+/// One kernel as a function that no other file sees, with its documentation.
+pub(crate) fn kernel(kernel: &ValidKernel, options: &GenerateOptions, mode_count: usize) -> String {
+    let style = Style::of(options, mode_count);
+    let plain = Notation::new(&style, None);
+    let listing = listing(kernel, |tree: &Tree| expression(tree, &plain).chars().count());
+    let mut declaration = Declaration::of(&listing, &style);
+    declaration.is_local = true;
+    let mut text = Text::new(UnitNames::of(None));
+    text.comment(declaration.documentation(&listing));
+    function::function(&mut text, &listing, &declaration, &style);
+    text.finish()
 }
 
 fn header(subject: &Subject<'_>, style: &Style, declarations: &[(Listing, Declaration)]) -> String {
