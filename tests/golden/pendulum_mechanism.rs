@@ -18,6 +18,8 @@ pub struct Pendulum {
 impl Pendulum {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 1usize] = ["pin"];
+    #[doc = r" The bodies by their numbers in errors."]
+    pub const BODIES: [&'static str; 1usize] = ["beam"];
     #[doc = r" The mechanism of these bodies."]
     pub fn new(beam: Beam) -> Self {
         use ::ffrf::generated_support::mechanism as support;
@@ -280,7 +282,7 @@ const _: () = {
             use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R,
         ) -> R {
             use_it(&mut ::ffrf::mechanism::Storage {
-                blocks: &mut support::absent::<_, { 3usize }>(),
+                blocks: &mut support::absent::<_, 3usize>(),
                 solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],

@@ -36,6 +36,8 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 8usize] =
         ["main", "motor", "big_end", "small_end", "guide", "root", "hinges[0]", "hinges[1]"];
+    #[doc = r" The bodies by their numbers in errors."]
+    pub const BODIES: [&'static str; 6usize] = ["crank", "rod", "piston", "links[0]", "links[1]", "links[2]"];
     #[doc = r" The mechanism of these bodies."]
     pub fn new(rod: Rod, piston: Piston, links: [Rod; 3usize]) -> Self {
         use ::ffrf::generated_support::mechanism as support;
@@ -1251,7 +1253,7 @@ const _: () = {
         ) -> R {
             if soft {
                 use_it(&mut ::ffrf::mechanism::Storage {
-                    blocks: &mut support::absent::<_, { 40usize }>(),
+                    blocks: &mut support::absent::<_, 40usize>(),
                     solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
                     right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
                     shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
@@ -1261,7 +1263,7 @@ const _: () = {
                 })
             } else {
                 use_it(&mut ::ffrf::mechanism::Storage {
-                    blocks: &mut support::absent::<_, { 33usize }>(),
+                    blocks: &mut support::absent::<_, 33usize>(),
                     solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                     right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                     shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],

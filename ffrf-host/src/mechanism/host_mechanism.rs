@@ -358,26 +358,17 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
         })
     }
 
-    fn energy(&self, state: &Vec<State<HostModal<T>, T>>) -> Energy<T> {
-        let mut sum = Energy::none();
-        for (body, state) in self.bodies.iter().zip(state) {
-            sum.add_body(body, state, &self.gravity);
-        }
+    fn energy(&self, state: &Self::State) -> Energy<T> {
+        let mut sum = Energy::of(self.bodies.iter().zip(state), &self.gravity);
         if !self.elements.is_empty() {
             let ports = self.ports(state.clone(), None);
-            for element in &self.elements {
-                sum.potential += element.energy(&ports);
-            }
+            self.elements.iter().for_each(|element| sum.potential += element.energy(&ports));
         }
         sum
     }
 
-    fn momentum(&self, state: &Vec<State<HostModal<T>, T>>) -> Momentum<T> {
-        let mut sum = Momentum::none();
-        for (body, state) in self.bodies.iter().zip(state) {
-            sum.add_body(body, state);
-        }
-        sum
+    fn momentum(&self, state: &Self::State) -> Momentum<T> {
+        Momentum::of(self.bodies.iter().zip(state))
     }
 
     fn plan(&self) -> Plan<'_> {

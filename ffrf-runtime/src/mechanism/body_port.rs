@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
 use super::kept_modes::copy_from;
-use super::{Keeping, Level, Phase, Port, RigidFrame};
+use super::{AttachedRows, Keeping, Level, Phase, Port, RigidFrame};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep,
     ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench, implicit_modal_mass,
@@ -11,24 +11,6 @@ use crate::body::{
 use crate::integrators::StepError;
 use crate::rotation::matrix;
 use crate::six::{Square, add_products, dot, scaled, six_times, subtract_scaled, zeros};
-
-/// The rows of a joint on one body: their gradients to the modes, row by row side by side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AttachedRows<V: ModalVector<T>, T: RealField + Copy = f64> {
-    /// Modal part of the gradients. Shape: M x rows.
-    modal: V::Sixes,
-    /// Θ_ff⁻¹ times that. Shape: M x rows.
-    weighted: V::Sixes,
-    /// Number of rows.
-    count: usize,
-}
-
-impl<V: ModalVector<T>, T: RealField + Copy> AttachedRows<V, T> {
-    /// Rows without effect.
-    pub fn empty(zeros: &V) -> Self {
-        Self { modal: zeros.zero_sixes(), weighted: zeros.zero_sixes(), count: 0 }
-    }
-}
 
 /// What a linearly implicit stage adds to an evaluation.
 #[derive(Debug)]

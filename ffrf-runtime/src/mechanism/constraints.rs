@@ -7,9 +7,7 @@ use super::{Connection, EvaluatedJoint, Plan, Ports};
 use crate::integrators::StepError;
 use crate::joints::Joint;
 use crate::relations::add_powers;
-use crate::six::{
-    self, Square, add, add_products, add_scaled, products, scaled, six_times, transpose, zeros,
-};
+use crate::six::{self, add, add_products, add_scaled, block_at, products, scaled, six_times, transpose};
 
 /// How redundant rows are dealt with: the proximal method, exact for consistent redundant rows, reactions of least norm.
 ///
@@ -91,15 +89,6 @@ impl<T: RealField + Copy> Storage<'_, T> {
     pub fn evaluated(&self) -> impl Iterator<Item = &EvaluatedJoint<T>> {
         self.joints.iter().flatten()
     }
-}
-
-/// A block, of zeros if it was not written to.
-#[inline(always)]
-pub(super) fn block_at<T: RealField + Copy>(
-    blocks: &mut [Option<Square<T>>],
-    index: usize,
-) -> Option<&mut Square<T>> {
-    blocks.get_mut(index).map(|block| block.get_or_insert_with(zeros))
 }
 
 /// Which level of the constraints a right-hand side corrects.

@@ -10,7 +10,7 @@ use core::ops::Range;
 
 use nalgebra::RealField;
 
-use super::node::{Coupling, Node, Step};
+use super::node::{Coupling, LARGEST_NODE, Node, Step};
 use crate::six::Square;
 
 /// Calls a method of a node with its number of unknowns as a constant, so that it is straight-line code.
@@ -26,9 +26,6 @@ macro_rules! by_size {
         }
     };
 }
-
-/// The largest node: six accelerations or six rows.
-pub const LARGEST_NODE: usize = 6;
 
 /// The order of elimination with all places, made once for a mechanism.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

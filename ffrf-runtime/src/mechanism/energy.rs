@@ -35,6 +35,20 @@ impl<T: RealField + Copy> Energy<T> {
         self.kinetic + self.elastic + self.potential
     }
 
+    /// That of bodies in uniform gravity (m/s², inertial).
+    pub fn of<'a, B: FlexibleBody<T> + 'a>(
+        bodies: impl Iterator<Item = (&'a B, &'a State<B::Modal, T>)>,
+        gravity: &Vector3<T>,
+    ) -> Self
+    where
+        B::Modal: 'a,
+        T: 'a,
+    {
+        let mut sum = Self::none();
+        bodies.for_each(|(body, state)| sum.add_body(body, state, gravity));
+        sum
+    }
+
     /// Adds that of a body in uniform gravity (m/s², inertial).
     pub fn add_body<B: FlexibleBody<T>>(
         &mut self,
@@ -57,6 +71,19 @@ impl<T: RealField + Copy> Momentum<T> {
     /// No momentum.
     pub fn none() -> Self {
         Self { linear: Vector3::zeros(), angular: Vector3::zeros() }
+    }
+
+    /// That of bodies.
+    pub fn of<'a, B: FlexibleBody<T> + 'a>(
+        bodies: impl Iterator<Item = (&'a B, &'a State<B::Modal, T>)>,
+    ) -> Self
+    where
+        B::Modal: 'a,
+        T: 'a,
+    {
+        let mut sum = Self::none();
+        bodies.for_each(|(body, state)| sum.add_body(body, state));
+        sum
     }
 
     /// Adds that of a body.

@@ -4,9 +4,7 @@
 
 use nalgebra::RealField;
 
-use super::LARGEST_NODE;
-use super::constraints::block_at;
-use crate::six::{Square, dot, multiply_add, scaled, six_times, subtract_scaled, zeros};
+use crate::six::{Square, block_at, dot, multiply_add, scaled, six_times, subtract_scaled, zeros};
 
 /// Calls a kernel with the number of columns of its left block as a constant.
 macro_rules! by_columns {
@@ -21,6 +19,9 @@ macro_rules! by_columns {
         }
     };
 }
+
+/// The largest node: six accelerations or six rows.
+pub const LARGEST_NODE: usize = 6;
 
 /// A node in the order of elimination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -28,11 +28,10 @@
 
 use nalgebra::RealField;
 
-use super::constraints::block_at;
 use super::{Attachment, EvaluatedJoint, JointPlace, Ports};
 use crate::forces::ForceElement;
 use crate::relations::add_powers;
-use crate::six::{Square, products, scaled, six_times, transpose};
+use crate::six::{Square, block_at, products, scaled, six_times, transpose};
 
 /// A force element that implicit steps take into their matrix, as soft rows of the constrained solve.
 ///
