@@ -6,7 +6,7 @@ use super::{
     FlexibleBody, FreeSystem, GeneralisedForce, Load, Marker, MarkerMotion, Motion, Observables,
     PlacedMarker, State,
 };
-use crate::integrators::{StepError, StepReport, step_linearly_implicit, step_rk4};
+use crate::integrators::{StepError, StepReport, advance_rk4, step_linearly_implicit};
 
 /// A flexible body without joints, its state and its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,8 +71,7 @@ impl<B: FlexibleBody<T>, T: RealField + Copy> FreeBody<B, T> {
         L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
     {
         let system = FreeSystem { body: &self.body, load };
-        let (state, report) = step_rk4(&system, &self.state, self.time, step)?;
-        self.state = state;
+        let report = advance_rk4(&system, &mut self.state, self.time, step)?;
         self.time += step;
         Ok(report)
     }
