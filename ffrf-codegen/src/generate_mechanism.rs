@@ -95,10 +95,11 @@ fn body(mechanism: &MechanismModel, end: &AttachmentModel) -> Option<usize> {
     end.marker.and_then(|marker| mechanism.markers.get(marker)).map(|marker| marker.body)
 }
 
-/// Bodies with joints and drives.
+/// Bodies with joints and drives. The solver in C has whole blocks: what holds a point has no zeros there.
 fn joints(mechanism: &MechanismModel) -> Topology {
     let joints = mechanism.joints.iter().map(|joint| JointTopology {
         rows: joint.relations.iter().map(RelationModel::rows).sum(),
+        holds_point: false,
         ends: joint.ends.each_ref().map(|end| body(mechanism, end)),
     });
     Topology {
@@ -113,7 +114,7 @@ fn soft_links(mechanism: &MechanismModel) -> Vec<(usize, JointTopology)> {
     let soft = elements.filter_map(|(index, element)| {
         let ends = element.ends.each_ref().map(|end| body(mechanism, end));
         let rows = element.kind.soft_rows()?;
-        (ends[0] != ends[1]).then_some((index, JointTopology { rows, ends }))
+        (ends[0] != ends[1]).then_some((index, JointTopology { rows, holds_point: false, ends }))
     });
     soft.collect()
 }
