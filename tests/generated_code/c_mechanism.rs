@@ -208,7 +208,7 @@ fn compare(case: &Case, single: bool) -> Option<String> {
     let options = GenerateOptions { name: "TestMechanism".to_owned(), scalar, ..GenerateOptions::default() };
     let code = generate_mechanism_c(&model, &options).unwrap();
     assert_eq!(code, generate_mechanism_c(&model, &options).unwrap());
-    let Some(mut found) = in_c(&code, &program(&code, &scene, kind, case.steps, step)) else { return None };
+    let mut found = in_c(&code, &program(&code, &scene, kind, case.steps, step))?;
     let expected = match single {
         true => on_the_desktop(&scene.mechanism.cast::<f32>(), &scene, case.steps, step),
         false => on_the_desktop(&scene.mechanism, &scene, case.steps, step),
@@ -252,7 +252,8 @@ fn mechanisms_in_c_move_as_on_the_desktop() {
             2.0,
             10.0,
         ),
-        case("four-bar", example("four_bar.toml", "symplectic_euler", 1.0 / 1024.0), 500, 1.0, 1.0),
+        // rows that are redundant: the desktop weighs their reactions by the whole compliance, C by its diagonal
+        case("four-bar", example("four_bar.toml", "symplectic_euler", 1.0 / 1024.0), 500, 10.0, 1.0),
         case("governor", example("governor.toml", "linearly_implicit_euler", 1.0 / 1024.0), 500, 10.0, 10.0),
         // without a joint
         case("rotor", example("rotor.toml", "linearly_implicit", 1.0 / 16384.0), 500, 10.0, 10.0),
