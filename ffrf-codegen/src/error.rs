@@ -2,6 +2,8 @@
 
 use ffrf_model::ModelError;
 
+use crate::fidelity::FidelityError;
+
 /// Why no code was generated.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -10,6 +12,9 @@ pub enum CodegenError {
     /// modes.
     #[error(transparent)]
     Model(#[from] ModelError),
+    /// The body lacks a term of the fidelity.
+    #[error(transparent)]
+    Fidelity(#[from] FidelityError),
     /// The layout tolerance must be a small relative number.
     #[error("layout tolerance must be at least 0 and below 1, found {found}")]
     LayoutTolerance {

@@ -5,6 +5,7 @@
 //! [`component_modes`] in place of [`modes`].
 #![forbid(unsafe_code)]
 
+mod compensated;
 pub mod component_modes;
 mod elasticity;
 pub mod elements;

@@ -66,6 +66,7 @@ pub fn reduce(
         stiffness: rows(&stiffness),
         damping: rows(&damping),
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         markers,
         stress_markers: Vec::new(),
     };

@@ -57,6 +57,9 @@ fn flexible(name: &str, key: &str, table: &BodyTable, path: &Path) -> Result<Nam
         model = model.with_modes(count).map_err(refused)?;
     }
     let fidelity = fidelity(key, table.fidelity.as_ref())?;
+    fidelity
+        .check_held(model.second_order_terms)
+        .map_err(|error| SceneError::Key { key: format!("{key}.fidelity"), message: error.to_string() })?;
     Ok(NamedBody {
         name: name.to_owned(),
         body: HostBody::new(&model, &fidelity),

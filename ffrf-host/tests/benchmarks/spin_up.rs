@@ -143,6 +143,7 @@ fn beam() -> ReducedBody {
             .collect(),
         damping: vec![vec![0.0; 4]; 4],
         geometric_stiffness: Some(geometric_stiffness()),
+        second_order_terms: Default::default(),
         stress_markers: Vec::new(),
         markers: vec![Marker {
             name: "TIP".to_owned(),

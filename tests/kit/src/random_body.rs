@@ -134,6 +134,7 @@ fn body(masses: &[f64], positions: &Field, fields: &[Field], random: &mut Random
         stiffness,
         damping,
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         stress_markers: Vec::new(),
         markers: vec![marker("tip", 0), marker("root", 1)],
     }

@@ -95,6 +95,7 @@ pub fn read_mbdyn(path: &Path, units: Option<Units>) -> Result<ReducedBody, Impo
         stiffness,
         damping,
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         markers,
         stress_markers: Vec::new(),
         provenance: Provenance {
