@@ -82,6 +82,12 @@ pub fn run(arguments: &Convert) -> Result<()> {
             if !body.stress_markers.is_empty() {
                 left_out.push("stress markers");
             }
+            if !body.section_markers.is_empty() {
+                left_out.push("section markers");
+            }
+            if body.geometric_stiffness.as_ref().is_some_and(|it| !it.marker_loads.is_empty()) {
+                left_out.push("stress stiffness of loads at markers");
+            }
             if !left_out.is_empty() {
                 output::complain(&format!(
                     "note: no place in {} for {}: left out\n",

@@ -175,6 +175,11 @@ impl Fidelity {
         Err(FidelityError::NotHeld { found: self.to_string(), holds, expected })
     }
 
+    /// Whether the stress stiffness of loads at markers is kept: with every term, or with one of geometric stiffness.
+    pub fn keeps_load_stiffness(&self) -> bool {
+        EnergyTerm::ALL.into_iter().any(|term| term.is_stiffening() && self.keeps(term))
+    }
+
     /// The kept terms, in the order in which the energy is written.
     pub fn terms(&self) -> impl Iterator<Item = EnergyTerm> + '_ {
         EnergyTerm::ALL.into_iter().filter(|term| self.keeps(*term))

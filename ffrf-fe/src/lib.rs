@@ -18,6 +18,7 @@ pub mod import;
 pub mod modes;
 pub mod oracle;
 pub mod reduction;
+pub mod section;
 mod sparse;
 pub mod stress;
 mod tolerances;

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::geometric_stiffness::GeometricStiffness;
 use crate::inertia::{Inertia, Vector3};
 use crate::second_order_terms::SecondOrderTerms;
+use crate::section_marker::SectionMarker;
 
 /// The version of the file format that this library writes, and the only one it reads.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -44,6 +45,9 @@ pub struct ReducedBody {
     /// Places where stress is observed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stress_markers: Vec<StressMarker>,
+    /// Cuts where the transmitted force is observed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub section_markers: Vec<SectionMarker>,
 }
 
 impl ReducedBody {

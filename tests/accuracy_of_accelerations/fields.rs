@@ -141,6 +141,7 @@ impl Fields {
             geometric_stiffness: None,
             second_order_terms: Default::default(),
             stress_markers: Vec::new(),
+            section_markers: Vec::new(),
             markers: Vec::new(),
         }
     }

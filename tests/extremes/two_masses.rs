@@ -49,6 +49,7 @@ pub fn of_points(
         second_order_terms: Default::default(),
         markers: Vec::new(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
     }
 }
 

@@ -67,6 +67,7 @@ fn read(modes: usize, next: &mut impl FnMut() -> f64) -> ReducedBody {
         geometric_stiffness: None,
         second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: Vec::new(),
     }
 }

@@ -69,6 +69,7 @@ pub fn reduce(
         second_order_terms: Default::default(),
         markers,
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
     };
     match body.check()?.verdict() {
         Ok(()) => Ok(body),

@@ -69,6 +69,10 @@ fn flexible(name: &str, key: &str, table: &BodyTable, path: &Path) -> Result<Nam
             let names = model.stress_markers.iter().map(|marker| marker.name.clone());
             names.zip(HostBody::stress_markers(&model)).collect()
         },
+        section_markers: {
+            let names = model.section_markers.iter().map(|marker| marker.name.clone());
+            names.zip(HostBody::section_markers(&model)).collect()
+        },
     })
 }
 
@@ -125,6 +129,7 @@ fn rigid(name: &str, key: &str, table: &BodyTable, mass: f64) -> Result<NamedBod
         marker_names: table.markers.keys().cloned().collect(),
         markers,
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         body,
     })
 }

@@ -97,6 +97,7 @@ fn rod() -> ReducedBody {
         geometric_stiffness: None,
         second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: vec![marker("ROOT", 0.0, still), marker("TIP", ROD, tip)],
     }
 }

@@ -90,6 +90,7 @@ fn geometric_stiffness() -> GeometricStiffness {
             .iter()
             .map(|row| row.iter().map(|load| along(*load)).collect())
             .collect(),
+        marker_loads: Vec::new(),
     }
 }
 
@@ -145,6 +146,7 @@ fn beam() -> ReducedBody {
         geometric_stiffness: Some(geometric_stiffness()),
         second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: vec![Marker {
             name: "TIP".to_owned(),
             nodes: Vec::new(),

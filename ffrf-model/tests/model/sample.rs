@@ -79,6 +79,7 @@ pub fn body(modes: usize) -> ReducedBody {
         geometric_stiffness: None,
         second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: vec![Marker {
             name: "tip".to_owned(),
             nodes: vec![11],

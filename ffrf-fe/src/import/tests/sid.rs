@@ -183,6 +183,7 @@ fn stiffened() -> ReducedBody {
                 (0..2).map(matrix).collect()
             })
             .collect(),
+        marker_loads: Vec::new(),
     });
     body.damping = pairs(&|mu, nu| if mu == nu { 0.4 } else { 0.1 });
     body
@@ -203,7 +204,7 @@ fn numbers(body: &ReducedBody) -> Vec<f64> {
     all.extend(modal_first_moment.as_flattened());
     all.extend(position_mode_moment.as_flattened().as_flattened());
     all.extend(mode_mode_moment.concat().as_flattened().as_flattened());
-    if let Some(GeometricStiffness { uniform_load, linear_load }) = &body.geometric_stiffness {
+    if let Some(GeometricStiffness { uniform_load, linear_load, .. }) = &body.geometric_stiffness {
         all.extend(uniform_load.concat().as_flattened());
         all.extend(linear_load.concat().as_flattened().as_flattened());
     }

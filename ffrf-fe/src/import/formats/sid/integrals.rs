@@ -128,8 +128,11 @@ impl Matrices {
                     plus(&even[mu][nu], &axial(odd_of_inertia[nu][mu]), 1.0)
                 }),
             },
-            geometric_stiffness: is_stiff
-                .then_some(GeometricStiffness { uniform_load: uniform, linear_load: linear }),
+            geometric_stiffness: is_stiff.then_some(GeometricStiffness {
+                uniform_load: uniform,
+                linear_load: linear,
+                marker_loads: Vec::new(),
+            }),
             second_order_terms: terms,
         }
     }

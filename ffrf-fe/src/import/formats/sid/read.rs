@@ -83,6 +83,7 @@ pub fn read_sid(path: &Path, units: Option<Units>) -> Result<ReducedBody, Import
         second_order_terms,
         markers,
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         provenance: Provenance {
             tool: "ffrf".to_owned(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
