@@ -76,8 +76,7 @@ fn a_cantilever_transmits_the_load_at_its_tip() {
             assert!(off < SOLVED * 3000.0, "at {x}, {k}: {} {}", found.force[0][k], expected[k]);
         }
         // F times the distance, as every textbook has it.
-        let bending = 200.0 * (EDGES[0] - x) - 3000.0 * 0.0;
-        let about_z = -(bending) - load[0] * (0.5 * EDGES[1] - point[1]);
+        let about_z = load[1] * (EDGES[0] - x) - load[0] * (0.5 * EDGES[1] - point[1]);
         assert!((found.force[0][5] - about_z).abs() < SOLVED * 3000.0, "{} {about_z}", found.force[0][5]);
     }
 }
