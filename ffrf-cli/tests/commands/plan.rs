@@ -130,6 +130,5 @@ fn a_plan_for_a_target_says_what_it_assumes() {
     plan(&format!("{scene} --target cortex-m7 --integrator generalized_alpha"))
         .failed(1, &["generalized_alpha", "rk4 or linearly_implicit"]);
     plan(&format!("{scene} --target cortex-m7 --tick 10")).failed(1, &["longer than the scene"]);
-    plan(&format!("{scene} --tick 1e-3 --error 1e-3")).failed(2, &["--target"]);
     plan(&format!("{scene} --target cortex-m7 --share 1.5")).failed(2, &["up to 1"]);
 }
