@@ -38,6 +38,7 @@ mod stiffening;
 mod stress;
 mod trade_text;
 pub mod tradeoff;
+mod transfer;
 mod verify;
 mod view;
 
