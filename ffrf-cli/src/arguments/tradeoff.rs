@@ -56,10 +56,10 @@ pub struct Plan {
     pub time_per_step: Option<f64>,
     /// Floating-point operations of compiled code that the target does in a second: its clock over cycles per instruction and
     /// about six instructions for each operation.
-    #[arg(long, value_name = "RATE", value_parser = parse_positive, requires = "time_per_step")]
+    #[arg(long, value_name = "RATE", value_parser = parse_positive, requires = "time_per_step", conflicts_with_all = ["error", "target"])]
     pub operations_per_second: Option<f64>,
     /// The step with `--time-per-step`, the period of a control loop (s; default: the step of the scene).
-    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, requires = "time_per_step")]
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, requires = "time_per_step", conflicts_with_all = ["error", "target"])]
     pub step: Option<f64>,
     /// The budget: a tick of a controller on this core, in which the steps of the tick must end.
     #[arg(long, value_name = "CORE", conflicts_with_all = ["error", "time_per_step"])]
@@ -86,26 +86,30 @@ pub struct Plan {
     pub output: Option<PathBuf>,
 }
 
+/// Budgets that a target has no part in. An argument that requires another which one of these excludes would be taken and not
+/// read, so that each names them.
+const OTHER_BUDGETS: [&str; 2] = ["error", "time_per_step"];
+
 /// The target of `ffrf plan --target`.
 #[derive(Debug, Args)]
 pub struct OnTarget {
     /// The period of the controller (s).
-    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 1e-3, requires = "target")]
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 1e-3, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
     pub tick: f64,
     /// The clock of the core (Hz; default: 168e6 for cortex-m4f, 480e6 for cortex-m7).
-    #[arg(long, value_name = "HZ", value_parser = parse_positive, requires = "target")]
+    #[arg(long, value_name = "HZ", value_parser = parse_positive, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
     pub clock: Option<f64>,
     /// Cycles that an instruction takes on average, memory included: 1 at best, measure it on your board.
-    #[arg(long, value_name = "CYCLES", value_parser = parse_positive, default_value_t = 2.0, requires = "target")]
+    #[arg(long, value_name = "CYCLES", value_parser = parse_positive, default_value_t = 2.0, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
     pub cycles_per_instruction: f64,
     /// The share of a tick that there is for the steps.
-    #[arg(long, value_name = "SHARE", value_parser = parse_share, default_value_t = 1.0, requires = "target")]
+    #[arg(long, value_name = "SHARE", value_parser = parse_share, default_value_t = 1.0, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
     pub share: f64,
     /// Folder of the ffrf sources, whose `firmware/` has what programs on the target need (with --measure).
-    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    #[arg(long, value_name = "FOLDER", default_value = ".", requires_all = ["target", "measure"], conflicts_with_all = OTHER_BUDGETS)]
     pub sources: PathBuf,
     /// Where programs are written and built (with --measure; default: firmware/target/budget in the sources).
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(long, value_name = "FOLDER", requires_all = ["target", "measure"], conflicts_with_all = OTHER_BUDGETS)]
     pub folder: Option<PathBuf>,
 }
 

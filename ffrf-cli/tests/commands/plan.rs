@@ -132,3 +132,39 @@ fn a_plan_for_a_target_says_what_it_assumes() {
     plan(&format!("{scene} --target cortex-m7 --tick 10")).failed(1, &["longer than the scene"]);
     plan(&format!("{scene} --target cortex-m7 --share 1.5")).failed(2, &["up to 1"]);
 }
+
+/// What belongs to one kind of budget is not silently left out of another.
+#[test]
+fn what_a_budget_has_no_use_for_is_refused() {
+    let scene = "models/scenes/slider_crank.toml";
+    let of_a_target = [
+        "--tick 1e-3",
+        "--clock 1e8",
+        "--share 0.5",
+        "--cycles-per-instruction 1",
+        "--sources .",
+        "--folder elsewhere",
+    ];
+    let others = ["--error 1e-2", "--time-per-step 1e-4 --operations-per-second 1e8"];
+    for of_a_target in of_a_target {
+        let flag = of_a_target.split(' ').next().unwrap();
+        for other in others {
+            let budget = other.split(' ').next().unwrap();
+            plan(&format!("{scene} {other} {of_a_target}")).failed(2, &[flag, budget, "cannot be used with"]);
+        }
+        plan(&format!("{scene} {of_a_target}")).failed(2, &["required"]);
+    }
+    plan(&format!("{scene} --target cortex-m7 --sources .")).failed(2, &["--measure"]);
+    for other in ["--operations-per-second 1e8", "--step 1e-3"] {
+        let flag = other.split(' ').next().unwrap();
+        plan(&format!("{scene} --error 1e-2 {other}")).failed(2, &[flag]);
+        plan(&format!("{scene} --target cortex-m7 {other}")).failed(2, &[flag]);
+    }
+    for pair in [
+        "--error 1e-2 --target cortex-m7",
+        "--time-per-step 1e-4 --operations-per-second 1e8 --target cortex-m7",
+        "--error 1e-2 --time-per-step 1e-4 --operations-per-second 1e8",
+    ] {
+        plan(&format!("{scene} {pair}")).failed(2, &["cannot be used with"]);
+    }
+}
