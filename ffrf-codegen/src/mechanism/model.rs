@@ -2,6 +2,7 @@
 
 use ffrf_model::ReducedBody;
 
+use super::CompositionModel;
 use crate::fidelity::Fidelity;
 
 /// A mechanism with everything that its time step depends on. SI units; Euler parameters scalar first.
@@ -31,6 +32,8 @@ pub struct MechanismModel {
     pub corrections: usize,
     /// The residual of positions that a step may be left with. Units: m or rad.
     pub tolerance: f64,
+    /// What the caller says when the mechanism begins; nothing if all numbers are constants.
+    pub composition: Option<CompositionModel>,
 }
 
 /// A method of fixed cost.

@@ -71,6 +71,7 @@ impl Scene {
             step,
             corrections: iterations,
             tolerance,
+            composition: None,
         })
     }
 
