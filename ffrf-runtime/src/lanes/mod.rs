@@ -10,15 +10,20 @@
 //! - [`FullTable`]: every T_μν is stored, q_ν is spread over the lanes;
 //! - [`HalfTable`]: T_νμ = T_μνᵀ is stored once and used twice, for tables that outgrow the first-level cache.
 //!
-//! Safe code on every target: the registers are those of the `wide` crate, which falls back to arrays.
+//! Safe code on every target: the registers are those of the `wide` crate, which falls back to arrays ([`Compiled`]). On
+//! hosts the loops are compiled a second time for AVX2, and run so where the processor has it (`on_registers!`).
 
 mod array;
+#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
+mod avx2;
 mod body;
 mod dynamics;
 mod energy;
 mod equations;
 mod factors;
+mod found;
 mod full_table;
+mod groups;
 mod half_table;
 mod mass_matrix;
 mod modal_factors;
@@ -28,11 +33,15 @@ mod moments;
 mod parameters;
 mod prepared;
 mod real;
+mod registers;
 mod rigid;
 mod scalar;
 mod vector;
 
+pub use crate::on_registers;
 pub use array::ArrayLanes;
+#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
+pub use avx2::{Avx2, Avx2Lanes};
 pub use body::{LaneBody, ModalMatrix};
 pub use equations::State;
 pub use factors::Factors;
@@ -40,11 +49,12 @@ pub use full_table::FullTable;
 pub use half_table::HalfTable;
 pub use modal_factors::ModalFactors;
 pub use moment_structure::{Antisymmetric, Dense, Diagonal3, MomentComponents, MomentStructure, Symmetric};
-pub use moments::{MomentTable, Moments};
+pub use moments::{MomentTable, Moments, PortableTable};
 pub use parameters::{ParameterDiagonal, ParameterMoments, ParameterTables, Parameters, traces};
 pub use real::{Real, numbers, reals};
+pub use registers::{Compiled, Processor, Registers, Width};
 pub use scalar::Scalar;
-pub use vector::{Four, HasLanes, Lanes};
+pub use vector::{Everywhere, Four, HasLanes, Lanes};
 
 /// `force` less the elastic and damping forces `internal` in its modal rows. Shape: N = 6 + M.
 #[inline(always)]
