@@ -19,6 +19,13 @@ impl Avx2 {
     pub fn find() -> Option<Self> {
         V3::try_new().map(Self)
     }
+
+    /// The proof of a processor that has more.
+    #[cfg(feature = "host-avx512")]
+    #[inline(always)]
+    pub(super) fn of(processor: V3) -> Self {
+        Self(processor)
+    }
 }
 
 /// A variable with the size and the alignment of a register.

@@ -1,5 +1,6 @@
 //! The product that the equations are made of.
 
+use super::found::{Narrow, Widest};
 use super::{Compiled, Registers, Scalar};
 
 /// q_ν T_νμ in the components that need it, and the whirl, in groups of four lanes over μ.
@@ -69,26 +70,19 @@ impl<T: Scalar, const M: usize, const G: usize, R: Registers<T>> MomentTable<T, 
     }
 }
 
-/// A table that can be multiplied in all registers that may be found when running.
-#[cfg(not(all(feature = "host-simd", target_arch = "x86_64")))]
-pub trait PortableTable<T: Scalar, const M: usize, const G: usize>: MomentTable<T, M, G> {}
-
-/// A table that can be multiplied in all registers that may be found when running.
-#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
+/// A table that can be multiplied in whatever registers are found when running.
 pub trait PortableTable<T: Scalar, const M: usize, const G: usize>:
-    MomentTable<T, M, G> + MomentTable<T, M, G, super::Avx2>
+    MomentTable<T, M, G> + MomentTable<T, M, G, Narrow> + MomentTable<T, M, G, Widest>
 where
-    super::Avx2: Registers<T>,
+    Narrow: Registers<T>,
+    Widest: Registers<T>,
 {
 }
 
-#[cfg(not(all(feature = "host-simd", target_arch = "x86_64")))]
-impl<T: Scalar, const M: usize, const G: usize, P: MomentTable<T, M, G>> PortableTable<T, M, G> for P {}
-
-#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
 impl<T: Scalar, const M: usize, const G: usize, P> PortableTable<T, M, G> for P
 where
-    super::Avx2: Registers<T>,
-    P: MomentTable<T, M, G> + MomentTable<T, M, G, super::Avx2>,
+    Narrow: Registers<T>,
+    Widest: Registers<T>,
+    P: MomentTable<T, M, G> + MomentTable<T, M, G, Narrow> + MomentTable<T, M, G, Widest>,
 {
 }

@@ -3,6 +3,8 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+#[cfg(feature = "host-avx512")]
+use ffrf_runtime::lanes::Avx512;
 use ffrf_runtime::lanes::{
     Avx2, Everywhere, Factors, Four, FullTable, HalfTable, HasLanes, LaneBody, Lanes, ModalFactors,
     ModalMatrix, MomentTable, Registers, Scalar,
@@ -254,6 +256,10 @@ macro_rules! agree {
                 };
                 let found = results(&body.on(registers), &point);
                 let expected = results(&body, &fused);
+                #[cfg(feature = "host-avx512")]
+                if let Some(registers) = Avx512::find() {
+                    assert_eq!(results(&body.on(registers), &point), found);
+                }
                 for (found, expected) in found.iter().zip(&expected) {
                     assert!(found.is_finite());
                     assert_eq!(found.to_bits(), expected.0.to_bits(), "{found} and {}", expected.0);
