@@ -46,11 +46,19 @@ pub enum Axes {
 pub struct Line {
     pub name: String,
     pub points: Vec<(f64, f64)>,
+    /// Which of the colours; its place in the panel if none is given.
+    pub colour: Option<usize>,
 }
 
 impl Line {
     pub fn new(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        Self { name: name.into(), points: points.into_iter().collect() }
+        Self { name: name.into(), points: points.into_iter().collect(), colour: None }
+    }
+
+    /// The same colour in every panel for what is the same thing.
+    #[allow(dead_code)] // each example uses its part
+    pub fn coloured(self, colour: usize) -> Self {
+        Self { colour: Some(colour), ..self }
     }
 }
 
@@ -80,8 +88,11 @@ pub fn draw(path: &Path, size: Size, panels: &[Panel]) -> Result<(), Box<dyn Err
     Ok(())
 }
 
-fn coloured(panel: &Panel) -> impl Iterator<Item = (&Line, &RGBColor)> {
-    panel.lines.iter().zip(COLOURS.iter().cycle())
+fn coloured(panel: &Panel) -> impl Iterator<Item = (&Line, &'static RGBColor)> {
+    panel.lines.iter().enumerate().map(|(place, line)| {
+        let colour = line.colour.unwrap_or(place) % COLOURS.len();
+        (line, &COLOURS[colour])
+    })
 }
 
 fn draw_lines(area: &DrawingArea<SVGBackend, Shift>, panel: &Panel) -> Result<(), Box<dyn Error>> {

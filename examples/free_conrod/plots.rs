@@ -101,25 +101,31 @@ fn modal_amplitudes(record: &Record, part: &Part) -> Vec<Panel> {
     let peak = |samples: &[Sample], mu: usize| {
         samples.iter().map(|s| (scale[mu] * s.state.modal_coordinates[mu]).abs()).fold(0.0, f64::max)
     };
-    vec![
-        panel(
-            format!("Modal displacement, first {:.0} ms: ringing after the blow", 1e3 * FINE_UNTIL),
-            "displacement / µm",
-            (0..M)
-                .map(|mu| line(&name(mu), &record.fine, |s| scale[mu] * s.state.modal_coordinates[mu]))
-                .collect(),
-        ),
-        panel(
-            "Largest modal displacement in consecutive windows, whole flight".to_owned(),
-            "displacement / µm",
-            (0..M)
-                .map(|mu| {
-                    Line::new(
-                        name(mu),
-                        record.coarse.chunks_exact(window).map(|chunk| (chunk[0].time, peak(chunk, mu))),
-                    )
-                })
-                .collect(),
-        ),
-    ]
+    // Small motions need a scale of their own to be seen beside large ones.
+    let largest = (0..M).map(|mu| peak(&record.fine, mu)).fold(0.0, f64::max);
+    let (large, small): (Vec<usize>, Vec<usize>) =
+        (0..M).partition(|&mu| peak(&record.fine, mu) > largest / 3.0);
+    let ringing = |title: String, modes: &[usize]| {
+        let signal = |&mu: &usize| {
+            line(&name(mu), &record.fine, |s| scale[mu] * s.state.modal_coordinates[mu]).coloured(mu)
+        };
+        panel(title, "displacement / µm", modes.iter().map(signal).collect())
+    };
+    let envelope = |mu: usize| {
+        let chunks = record.coarse.chunks_exact(window);
+        Line::new(name(mu), chunks.map(|chunk| (chunk[0].time, peak(chunk, mu))))
+    };
+    let mut panels = vec![ringing(
+        format!("Modal displacement, first {:.0} ms: ringing after the blow", 1e3 * FINE_UNTIL),
+        &large,
+    )];
+    if !small.is_empty() {
+        panels.push(ringing("The smaller ones of the same time".to_owned(), &small));
+    }
+    panels.push(panel(
+        "Largest modal displacement in consecutive windows, whole flight".to_owned(),
+        "displacement / µm",
+        (0..M).map(envelope).collect(),
+    ));
+    panels
 }

@@ -60,6 +60,7 @@ fn main() -> ExitCode {
     let mut crank = model.in_motion(state);
     // what is recorded is allocated before the loop; the loop itself allocates nothing
     let (mut late, mut taken) = (vec![Duration::ZERO; ticks as usize], vec![Duration::ZERO; ticks as usize]);
+    let mut speeds = vec![0.0; ticks as usize];
     let start = Instant::now();
     for tick in 0..ticks {
         let due = start + TICK * (tick + 1);
@@ -71,14 +72,40 @@ fn main() -> ExitCode {
             eprintln!("tick {tick}: {error}");
             return ExitCode::FAILURE;
         }
+        speeds[tick as usize] = speed;
         late[tick as usize] = woken - due;
         taken[tick as usize] = woken.elapsed();
     }
-    println!("{ticks} ticks of 1 ms, crank at {:.2} rad/s", crank.state.crank.angular_velocity.z);
+    println!("{ticks} ticks of 1 ms");
+    if let Some([lowest, mean, highest]) = of_whole_turns(&speeds) {
+        println!(
+            "crank at {mean:.2} rad/s on the mean of a turn, from {lowest:.2} to {highest:.2} within it"
+        );
+    }
     println!("{:24} {:>9} {:>9} {:>9} {:>9}", "microseconds", "median", "99 %", "99.9 %", "worst");
     show("woken late by", late);
     show("controller and step", taken);
     ExitCode::SUCCESS
+}
+
+/// Lowest speed, mean over the angle and highest speed of the last whole turns, those of a second at most. Units: rad/s.
+///
+/// The inertia that the motor sees nearly doubles and halves twice a turn, so that the speed swings by a seventh about what the
+/// controller holds: without losses its moment does no work in a turn, which makes the mean over the angle the speed asked for.
+fn of_whole_turns(speeds: &[f64]) -> Option<[f64; 3]> {
+    let tick = TICK.as_secs_f64();
+    let second = &speeds[speeds.len().saturating_sub(1000)..];
+    let turns = (second.iter().sum::<f64>() * tick / std::f64::consts::TAU).floor();
+    let (mut angle, mut of_angle) = (0.0, 0.0);
+    let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+    for &speed in second.iter().rev().take_while(|&&speed| {
+        angle += speed * tick;
+        angle <= turns * std::f64::consts::TAU
+    }) {
+        of_angle += speed * speed * tick;
+        (lowest, highest) = (speed.min(lowest), speed.max(highest));
+    }
+    (turns > 0.0).then(|| [lowest, of_angle / (turns * std::f64::consts::TAU), highest])
 }
 
 /// Sleeps until shortly before `due`, then waits for it.

@@ -2,8 +2,8 @@
 
 use anyhow::{Context, Result, bail};
 use ffrf_fe::component_modes::{
-    BasisForm, ComponentModes, ComponentRequest, Interface, ModeSelection, StaticLoad, TransferPoint,
-    area_weights, component_modes, reduce_component_modes, transfer_functions,
+    BasisForm, ComponentRequest, Interface, ModeSelection, StaticLoad, area_weights, component_modes,
+    reduce_component_modes,
 };
 use ffrf_fe::geometric_stiffness::PrestressSupport;
 use ffrf_fe::modes::Progress;
@@ -12,7 +12,7 @@ use ffrf_fe::{FeModel, ModeBasis};
 use ffrf_model::ReducedBody;
 
 use crate::arguments::{CouplingArgument, InterfaceArgument, InterfaceChoice, Reduce};
-use crate::{plots, stiffening, stress};
+use crate::{stiffening, stress, transfer};
 
 /// The body, its basis, and what there is to say about its modes.
 pub fn reduce(
@@ -38,7 +38,7 @@ pub fn reduce(
         component_modes(model, &request, progress).context("the component modes could not be computed")?;
     let mut text = format!("{}\n", modes.report);
     if let Some(limit) = choice.transfer_up_to {
-        text.push_str(&compare(model, &modes, choice, limit)?);
+        text.push_str(&transfer::compare(model, &modes, &request, choice, limit)?);
     }
     let mut body = reduce_component_modes(model, &modes, options)?;
     let support =
@@ -88,32 +88,4 @@ fn interface(model: &FeModel, argument: &InterfaceArgument) -> Result<Interface>
         Some(point) => interface.at(point)?,
         None => interface,
     })
-}
-
-/// Table of the truncation error over frequency, and its plot.
-fn compare(model: &FeModel, modes: &ComponentModes, choice: &InterfaceChoice, limit: f64) -> Result<String> {
-    if !(limit.is_finite() && limit > 0.0) {
-        bail!("--transfer-up-to: expected a frequency above 0 Hz, found {limit}");
-    }
-    let count = choice.transfer_points.max(1);
-    let frequencies: Vec<f64> = (1..=count).map(|i| limit * i as f64 / count as f64).collect();
-    let points = transfer_functions(model, modes, &frequencies).context("interface transfer functions")?;
-    if let Some(path) = &choice.transfer_plot {
-        let picture = plots::draw_transfer(&points)?;
-        ffrf_model::write_file(path, picture.as_bytes())
-            .with_context(|| format!("{}: cannot be written", path.display()))?;
-    }
-    Ok(table(&points))
-}
-
-fn table(points: &[TransferPoint]) -> String {
-    let mut text = String::from(
-        "interface transfer functions, elastic part, each motion relative to its static compliance\n\
-         frequency/Hz    full model       reduced         error\n",
-    );
-    for point in points {
-        let TransferPoint { frequency_hz, full, reduced, error } = point;
-        text.push_str(&format!("{frequency_hz:>12.3}  {full:>12.6e}  {reduced:>12.6e}  {error:>12.3e}\n"));
-    }
-    text
 }

@@ -1,9 +1,11 @@
 //! `ffrf generate`: the code that the macro makes, as text.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use ffrf_codegen::{GenerateOptions, Language, Strategy};
+use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, Language, Strategy};
+use ffrf_host::scene::Scene;
 use ffrf_model::{ModeSelection, ReducedBody};
 
 use crate::arguments::Generate;
@@ -11,8 +13,9 @@ use crate::output;
 
 /// Runs the command.
 pub fn run(arguments: &Generate) -> Result<()> {
+    let default = GenerateOptions::default();
     let mut options = GenerateOptions {
-        name: arguments.name.clone(),
+        name: arguments.name.clone().unwrap_or(default.name),
         scalar: arguments.scalar,
         fidelity: arguments.fidelity.clone(),
         jacobians: arguments.jacobians,
@@ -22,6 +25,9 @@ pub fn run(arguments: &Generate) -> Result<()> {
         ..GenerateOptions::default()
     };
     let code = match (&arguments.model, &arguments.layout, &arguments.modes) {
+        (Some(scene), ..) if scene.extension().is_some_and(|extension| extension == "toml") => {
+            return mechanism(arguments, scene, options);
+        }
         (Some(model), _, modes) => {
             let body = ReducedBody::read(model)?;
             let source_name = model.file_name().map(|name| name.to_string_lossy().into_owned());
@@ -49,17 +55,46 @@ pub fn run(arguments: &Generate) -> Result<()> {
 /// Writes source and header, or both as one text to standard output.
 fn write_c(arguments: &Generate, body: &ReducedBody, options: &GenerateOptions) -> Result<()> {
     let code = ffrf_codegen::generate_c(body, options)?;
-    let Some(source) = arguments.output.as_deref() else { return output::write(None, &code.single) };
+    write_both(arguments, [&code.header, &code.source, &code.single], &code.prefix)
+}
+
+/// The time step of a scene's mechanism in C.
+fn mechanism(arguments: &Generate, path: &Path, options: GenerateOptions) -> Result<()> {
+    if arguments.language != Language::C {
+        bail!("{}: a scene is generated with --language c, expected a model", path.display());
+    }
+    for (is_given, what, where_) in [
+        (arguments.modes.is_some(), "--modes", "`modes` of the bodies in the scene"),
+        (arguments.fidelity != Fidelity::default(), "--fidelity", "`fidelity` of the bodies in the scene"),
+        (arguments.jacobians, "--jacobians", "none: a step needs no Jacobians"),
+        (arguments.fma == FusedMultiplyAdd::On, "--fma on", "auto or off"),
+        (arguments.strategy == Strategy::Lanes, "--strategy lanes", "auto or straight_line"),
+    ] {
+        if is_given {
+            bail!("{what} with a scene: expected {where_}");
+        }
+    }
+    let name = arguments.name.clone().unwrap_or_else(|| "Mechanism".to_owned());
+    let options = GenerateOptions { name, ..options };
+    let source_name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let scene = Scene::read(path).with_context(|| format!("{}", path.display()))?;
+    let model = scene.mechanism_model(&source_name).with_context(|| format!("{}", path.display()))?;
+    let code = ffrf_codegen::generate_mechanism_c(&model, &options)
+        .with_context(|| format!("{}", path.display()))?;
+    write_both(arguments, [&code.header, &code.source, &code.single], &code.prefix)
+}
+
+fn write_both(arguments: &Generate, [header, text, single]: [&str; 3], prefix: &str) -> Result<()> {
+    let Some(source) = arguments.output.as_deref() else { return output::write(None, single) };
     if source.extension().is_none_or(|extension| extension != "c") {
         bail!(
             "-o {}: expected the name of a source, NAME.c; {}.h is written beside it",
             source.display(),
-            code.prefix
+            prefix
         );
     }
-    let header = source.with_file_name(format!("{}.h", code.prefix));
-    output::write(Some(&header), &code.header)?;
-    output::write(Some(source), &code.source)
+    output::write(Some(&source.with_file_name(format!("{prefix}.h"))), header)?;
+    output::write(Some(source), text)
 }
 
 /// The layout found in a body and the operations of each kernel.

@@ -36,6 +36,7 @@ mod stiffening;
 mod stress;
 mod trade_text;
 pub mod tradeoff;
+mod transfer;
 mod verify;
 mod view;
 

@@ -2,6 +2,8 @@
 
 use ffrf_model::ModelError;
 
+use crate::mechanism::TopologyError;
+
 /// Why no code was generated.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -73,6 +75,21 @@ pub enum CodegenError {
         found: &'static str,
         /// What can be had.
         expected: &'static str,
+    },
+    /// A mechanism cannot be composed.
+    #[error(transparent)]
+    Topology(#[from] TopologyError),
+    /// Two names are the same in C.
+    #[error(
+        "`{found}` and `{other}` are both called `{name}` in C: expected names that differ in letters or digits"
+    )]
+    SameNameInC {
+        /// The second name.
+        found: String,
+        /// The first.
+        other: String,
+        /// What both become.
+        name: String,
     },
     /// The mass left after eliminating the modes is not positive: the modes contain rigid-body motion.
     #[error(

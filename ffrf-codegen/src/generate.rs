@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use crate::body::BodyExpressions;
 use crate::emit;
 use crate::expression::Graph;
-use crate::formulate::{Definition, JACOBIANS, KERNELS, Kernel};
+use crate::formulate::{Definition, JACOBIANS, KERNELS, Kernel, PREPARE};
 use crate::lanes::Lanes;
 use crate::layout::{Layout, found};
 use crate::passes;
@@ -89,6 +89,15 @@ pub fn generate_c(body: &ReducedBody, options: &GenerateOptions) -> Result<Gener
     let emit::CFiles { header, source, single, prefix } =
         emit::c(&formulated.subject(&report, &options), &kernels);
     Ok(GeneratedC { header, source, single, prefix, report })
+}
+
+/// The kernel `prepare` of a body in C, seen by no other file.
+pub(crate) fn prepare_c(body: &ReducedBody, options: &GenerateOptions) -> Result<String, CodegenError> {
+    let formulated = Formulated::baked(body, options)?;
+    let kernel = Kernel::formulate(&PREPARE, formulated.graph.clone(), &formulated.body)?;
+    let kernel = passes::run(kernel.condensed(), options.fused_multiply_add);
+    let kernel = ValidKernel::new(kernel, options.scalar, false)?;
+    Ok(emit::c_kernel(&kernel, options, formulated.body.mode_count()))
 }
 
 /// A body as expressions, whether its invariants are numbers or symbols.

@@ -26,6 +26,7 @@ mod counts;
 mod emit;
 mod error;
 mod generate;
+mod generate_mechanism;
 mod interpreted;
 mod options;
 pub mod passes;
@@ -37,6 +38,7 @@ pub use counts::OperationCounts;
 pub use error::CodegenError;
 pub use fidelity::Fidelity;
 pub use generate::{GeneratedC, GeneratedCode, generate, generate_c, generate_with_layout};
+pub use generate_mechanism::{GeneratedMechanismC, generate_mechanism_c};
 pub use interpreted::{KernelInput, Kernels};
 pub use options::{
     DEFAULT_LAYOUT_TOLERANCE, FusedMultiplyAdd, GenerateOptions, Language, ScalarType, Strategy,

@@ -126,6 +126,19 @@ pub fn keep_stores_above() {
     core::sync::atomic::compiler_fence(core::sync::atomic::Ordering::SeqCst);
 }
 
+/// A zero among the results of a kernel.
+///
+/// For 32-bit Arm compilers make calls of a function that clears memory of neighbouring zeros, 42 instructions for ten numbers
+/// where a store from a register is one each: there they do not learn that this is a zero. Cortex-M7, f64, equations of motion
+/// of the connecting rod: 685 instructions in place of 895 with four modes, 1,633 in place of 2,141 with eight.
+#[inline(always)]
+pub fn zero_entry<T: Number>() -> T {
+    #[cfg(target_arch = "arm")]
+    return core::hint::black_box(T::zero());
+    #[cfg(not(target_arch = "arm"))]
+    T::zero()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -139,6 +152,12 @@ mod tests {
         assert_eq!((both.nrows(), both.ncols(), both[(0, 1)]), (3, 2, 4.0));
         assert_eq!(columns(&both)[1], [4.0, 5.0, 6.0]);
         assert_eq!(array(&vector::<0, f64>([])).len(), 0);
+    }
+
+    #[test]
+    fn zeros_are_zeros() {
+        assert_eq!(zero_entry::<f64>().to_bits(), 0);
+        assert_eq!(zero_entry::<f32>().to_bits(), 0);
     }
 
     #[test]

@@ -106,10 +106,22 @@ pub(crate) fn sum<T: RealField + Copy>([a, b, c, d, e, f]: &[T; 6]) -> T {
     (*a + *c + *e) + (*b + *d + *f)
 }
 
-/// The transpose.
+/// Transposes in place.
+#[inline]
+#[allow(clippy::absurd_extreme_comparisons)] // the comparison is one of constants: always false for the first of them
+pub(crate) fn transpose<T: RealField + Copy>(square: &mut Square<T>) {
+    for i in 1..6 {
+        for j in 0..i {
+            (square[i][j], square[j][i]) = (square[j][i], square[i][j]);
+        }
+    }
+}
+
+/// A block, of zeros if it was not written to.
 #[inline(always)]
-pub(crate) fn transposed<T: RealField + Copy>(square: &Square<T>) -> Square<T> {
-    let mut result = *square;
-    six_times!(I: { six_times!(J: { result[I][J] = square[J][I]; }); });
-    result
+pub(crate) fn block_at<T: RealField + Copy>(
+    blocks: &mut [Option<Square<T>>],
+    index: usize,
+) -> Option<&mut Square<T>> {
+    blocks.get_mut(index).map(|block| block.get_or_insert_with(zeros))
 }

@@ -1,4 +1,4 @@
-//! Links the start code and CasADi's C, which run.sh compiled, and writes the body for this run.
+//! Links the start code and the C that run.sh compiled, CasADi's or ours, and writes the body for this run.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,7 @@ fn main() {
     let (modes, scalar, library) =
         (value("PEERS_MODES"), value("PEERS_SCALAR"), PathBuf::from(value("PEERS_LIBRARY")));
     println!("cargo:rerun-if-changed={}", library.display());
-    for name in ["casadi_accelerations", "casadi_equations"] {
+    for name in ["c_accelerations", "c_equations"] {
         println!("cargo:rustc-link-arg-bin={name}={}", library.display());
     }
     let text = format!(

@@ -4,7 +4,9 @@
 #[path = "../golden/bodies.rs"]
 mod bodies;
 mod c;
+mod c_mechanism;
 mod c_program;
+mod c_step;
 mod jacobians;
 #[rustfmt::skip]
 #[path = "../golden/constant_m2.rs"]

@@ -343,29 +343,30 @@ const _: () = {
         let first_moment_y = fma(-0.978018945116414, q1, fma(0.6787398248907106, q0, -0.41984161500965506));
         let first_moment_z = fma(-0.5341019557067384, q1, fma(0.27176620006200825, q0, 0.6833338858341971));
 
+        let zero = support::zero_entry();
         *mass_matrix = [
             [
-                8.844703537197834, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, 0.24002235581153603,
-                -0.32856429449710967,
+                8.844703537197834, zero, zero, zero, first_moment_z, -first_moment_y,
+                0.24002235581153603, -0.32856429449710967,
             ],
             [
-                0.0, 8.844703537197834, 0.0, -first_moment_z, 0.0, first_moment_x, 0.6787398248907106,
+                zero, 8.844703537197834, zero, -first_moment_z, zero, first_moment_x, 0.6787398248907106,
                 -0.978018945116414,
             ],
             [
-                0.0, 0.0, 8.844703537197834, first_moment_y, -first_moment_x, 0.0, 0.27176620006200825,
-                -0.5341019557067384,
+                zero, zero, 8.844703537197834, first_moment_y, -first_moment_x, zero,
+                0.27176620006200825, -0.5341019557067384,
             ],
             [
-                0.0, -first_moment_z, first_moment_y, 0.7433998942463756, 0.21032996108485344,
+                zero, -first_moment_z, first_moment_y, 0.7433998942463756, 0.21032996108485344,
                 -0.5644033827438444, -0.10021725738697554, 0.0906391146862467,
             ],
             [
-                first_moment_z, 0.0, -first_moment_x, 0.21032996108485344, 3.441057059272419,
+                first_moment_z, zero, -first_moment_x, 0.21032996108485344, 3.441057059272419,
                 0.035025350693903806, 0.3249943739183774, 0.2588952279675248,
             ],
             [
-                -first_moment_y, first_moment_x, 0.0, -0.5644033827438444, 0.035025350693903806,
+                -first_moment_y, first_moment_x, zero, -0.5644033827438444, 0.035025350693903806,
                 3.7721853033770283, 0.06364140792463607, -0.15269810726036132,
             ],
             [
@@ -405,7 +406,8 @@ const _: () = {
         let t10 = fma(-omega_x, angular_momentum_z, omega_z * angular_momentum_x);
         let t11 = fma(-omega_y, angular_momentum_x, omega_x * angular_momentum_y);
 
-        *quadratic_velocity = [t4, t7, t8, t9, t10, t11, 0.0, 0.0];
+        let zero = support::zero_entry();
+        *quadratic_velocity = [t4, t7, t8, t9, t10, t11, zero, zero];
         support::keep_stores_above();
         let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1] = *force;
 

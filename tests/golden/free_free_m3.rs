@@ -621,16 +621,26 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, 0.293723964206046);
         let inertia_xy = fma(change_xy, -0.5, -0.5502301101801855);
 
+        let zero = support::zero_entry();
         *mass_matrix = [
-            [8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-            [0.0, 8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-            [0.0, 0.0, 8.712436319918037, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0, inertia_xx, inertia_xy, inertia_xz, coupling_x0, coupling_x1, coupling_x2],
-            [0.0, 0.0, 0.0, inertia_xy, inertia_yy, inertia_yz, coupling_y0, coupling_y1, coupling_y2],
-            [0.0, 0.0, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0, coupling_z1, coupling_z2],
-            [0.0, 0.0, 0.0, coupling_x0, coupling_y0, coupling_z0, 1.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0, coupling_x1, coupling_y1, coupling_z1, 0.0, 1.0, 0.0],
-            [0.0, 0.0, 0.0, coupling_x2, coupling_y2, coupling_z2, 0.0, 0.0, 1.0],
+            [8.712436319918037, zero, zero, zero, zero, zero, zero, zero, zero],
+            [zero, 8.712436319918037, zero, zero, zero, zero, zero, zero, zero],
+            [zero, zero, 8.712436319918037, zero, zero, zero, zero, zero, zero],
+            [
+                zero, zero, zero, inertia_xx, inertia_xy, inertia_xz, coupling_x0, coupling_x1,
+                coupling_x2,
+            ],
+            [
+                zero, zero, zero, inertia_xy, inertia_yy, inertia_yz, coupling_y0, coupling_y1,
+                coupling_y2,
+            ],
+            [
+                zero, zero, zero, inertia_xz, inertia_yz, inertia_zz, coupling_z0, coupling_z1,
+                coupling_z2,
+            ],
+            [zero, zero, zero, coupling_x0, coupling_y0, coupling_z0, 1.0, zero, zero],
+            [zero, zero, zero, coupling_x1, coupling_y1, coupling_z1, zero, 1.0, zero],
+            [zero, zero, zero, coupling_x2, coupling_y2, coupling_z2, zero, zero, 1.0],
         ];
         support::keep_stores_above();
         let [omega_x, omega_y, omega_z] = *omega;
@@ -694,8 +704,9 @@ const _: () = {
         let modal_quadratic2 = fma(moment_yz2, t13, fma(moment_xz2, t14, fma(moment_xy2, t15, modal_quadratic2)));
         let modal_quadratic2 = fma(t10, whirl_z2, fma(t6, whirl_y2, fma(t2, whirl_x2, modal_quadratic2)));
 
+        let zero = support::zero_entry();
         *quadratic_velocity = [
-            0.0, 0.0, 0.0, t4, t8, t12, modal_quadratic0, modal_quadratic1, modal_quadratic2,
+            zero, zero, zero, t4, t8, t12, modal_quadratic0, modal_quadratic1, modal_quadratic2,
         ];
         support::keep_stores_above();
         let [force_x, force_y, force_z, moment_x, moment_y, moment_z, modal_force0, modal_force1, modal_force2] = *force;

@@ -24,6 +24,8 @@
  */
 #include "general_body.h"
 
+#include <math.h>
+
 const general_body_marker GENERAL_BODY_TIP = {
     {1.0125138400348535, -0.5871331243908386, -0.0457702598206797},
     {
@@ -1236,3 +1238,132 @@ void general_body_prepare(
     internal_force[1] = t25;
 }
 
+/* The state that an increment leads to. */
+static void general_body_retract(const general_body_state *origin, const double increment[16], general_body_state *state)
+{
+    const double *a = origin->orientation;
+    const double x = 0.5 * increment[3];
+    const double y = 0.5 * increment[4];
+    const double z = 0.5 * increment[5];
+    const double w_ = a[0] - a[1] * x - a[2] * y - a[3] * z;
+    const double x_ = a[0] * x + a[1] + a[2] * z - a[3] * y;
+    const double y_ = a[0] * y - a[1] * z + a[2] + a[3] * x;
+    const double z_ = a[0] * z + a[1] * y - a[2] * x + a[3];
+    const double norm = sqrt(x_ * x_ + y_ * y_ + z_ * z_ + w_ * w_);
+    int k;
+    state->orientation[0] = w_ / norm;
+    state->orientation[1] = x_ / norm;
+    state->orientation[2] = y_ / norm;
+    state->orientation[3] = z_ / norm;
+    for (k = 0; k < 3; k++) {
+        state->position[k] = origin->position[k] + increment[k];
+        state->velocity[k] = origin->velocity[k] + increment[8 + k];
+        state->omega[k] = origin->omega[k] + increment[8 + 3 + k];
+    }
+    for (k = 0; k < 2; k++) {
+        state->q[k] = origin->q[k] + increment[6 + k];
+        state->q_dot[k] = origin->q_dot[k] + increment[8 + 6 + k];
+    }
+}
+/* A u with `sign` one: components in space of a vector of the body frame; its inverse with minus one. */
+static void general_body_rotate(const double orientation[4], double sign, const double u[3], double rotated[3])
+{
+    const double x = sign * orientation[1];
+    const double y = sign * orientation[2];
+    const double z = sign * orientation[3];
+    const double a = 2.0 * (y * u[2] - z * u[1]);
+    const double b = 2.0 * (z * u[0] - x * u[2]);
+    const double c = 2.0 * (x * u[1] - y * u[0]);
+    rotated[0] = a * orientation[0] + (y * c - z * b) + u[0];
+    rotated[1] = b * orientation[0] + (z * a - x * c) + u[1];
+    rotated[2] = c * orientation[0] + (x * b - y * a) + u[2];
+}
+/* The rate of the increment of size `factor` times `direction` from `origin`. */
+static void general_body_rates(
+    const general_body_state *origin,
+    const double gravity[3],
+    double factor,
+    const double direction[16],
+    double rates[16]
+)
+{
+    general_body_state state;
+    double increment[16];
+    double weight[3];
+    double force[8];
+    double acceleration[8];
+    double projection;
+    double half[3];
+    int k;
+    for (k = 0; k < 16; k++) {
+        increment[k] = direction[k] * factor;
+    }
+    general_body_retract(origin, increment, &state);
+    general_body_rotate(state.orientation, -1.0, gravity, weight);
+    general_body_gravity_force(state.q, weight, force);
+    general_body_forward_dynamics(state.q, state.omega, state.q_dot, force, acceleration);
+    for (k = 0; k < 3; k++) {
+        half[k] = 0.5 * increment[3 + k];
+    }
+    projection = half[0] * state.omega[0] + half[1] * state.omega[1] + half[2] * state.omega[2];
+    rates[3] = state.omega[0] + (half[1] * state.omega[2] - half[2] * state.omega[1]) + half[0] * projection;
+    rates[4] = state.omega[1] + (half[2] * state.omega[0] - half[0] * state.omega[2]) + half[1] * projection;
+    rates[5] = state.omega[2] + (half[0] * state.omega[1] - half[1] * state.omega[0]) + half[2] * projection;
+    general_body_rotate(state.orientation, 1.0, acceleration, &rates[8]);
+    for (k = 0; k < 3; k++) {
+        rates[k] = state.velocity[k];
+        rates[8 + 3 + k] = acceleration[3 + k];
+    }
+    for (k = 0; k < 2; k++) {
+        rates[6 + k] = state.q_dot[k];
+        rates[8 + 6 + k] = acceleration[6 + k];
+    }
+}
+/* Zero if every number of a state is finite, not a number else. */
+static double general_body_not_finite(const general_body_state *state)
+{
+    double sum = 0.0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        sum += 0.0 * state->position[k] + 0.0 * state->velocity[k] + 0.0 * state->omega[k];
+    }
+    for (k = 0; k < 4; k++) {
+        sum += 0.0 * state->orientation[k];
+    }
+    for (k = 0; k < 2; k++) {
+        sum += 0.0 * state->q[k] + 0.0 * state->q_dot[k];
+    }
+    return sum;
+}
+int general_body_step_rk4(const double gravity[3], double step, general_body_state *state)
+{
+    const double third = step / 3.0;
+    const double sixth = step / 6.0;
+    const double half = step * 0.5;
+    general_body_state next;
+    double k1[16];
+    double k2[16];
+    double k3[16];
+    double k4[16];
+    double slope[16];
+    int k;
+    if (!(step > 0.0 && 0.0 * step >= 0.0 && general_body_not_finite(state) >= 0.0)) {
+        return 0;
+    }
+    for (k = 0; k < 16; k++) {
+        slope[k] = 0.0;
+    }
+    general_body_rates(state, gravity, 0.0, slope, k1);
+    general_body_rates(state, gravity, half, k1, k2);
+    general_body_rates(state, gravity, half, k2, k3);
+    general_body_rates(state, gravity, step, k3, k4);
+    for (k = 0; k < 16; k++) {
+        slope[k] = k1[k] * sixth + k2[k] * third + k3[k] * third + k4[k] * sixth;
+    }
+    general_body_retract(state, slope, &next);
+    if (!(general_body_not_finite(&next) >= 0.0)) {
+        return 0;
+    }
+    *state = next;
+    return 1;
+}

@@ -241,6 +241,30 @@ void general_body_prepare(
     double internal_force[2]
 );
 
+/*
+ * Where the free body is and how it moves. Orientation: Euler parameters, scalar first, body to inertial, of norm one.
+ * Units: m, m/s, rad/s, and those of the modes. Frame: inertial; omega: body.
+ */
+typedef struct {
+    double position[3];
+    double orientation[4];
+    double q[2];
+    double velocity[3];
+    double omega[3];
+    double q_dot[2];
+} general_body_state;
+
+/*
+ * One step of the classical Runge-Kutta method of order four: the free body under gravity, elastic and damping forces.
+ *
+ * Fixed cost: four evaluations of the accelerations. Returns 1, or 0 if the step is not positive and finite, or a number
+ * of the state is not finite before the step or would not be after it; the state is then unchanged.
+ * Shape: gravity 3. Units: gravity m/s², step s. Frame: inertial.
+ * Source: Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, table II.1.2, in the chart of the Cayley
+ * map about the orientation.
+ */
+int general_body_step_rk4(const double gravity[3], double step, general_body_state *state);
+
 #ifdef __cplusplus
 }
 #endif

@@ -567,29 +567,30 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, -0.12190363778058351);
         let inertia_xy = fma(change_xy, -0.5, 0.43880698133049745);
 
+        let zero = support::zero_entry();
         *mass_matrix = [
             [
-                6.38059239023797, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.16994951347178364,
-                -0.2876357863381134,
+                6.38059239023797, zero, zero, zero, first_moment_z, -first_moment_y,
+                -0.16994951347178364, -0.2876357863381134,
             ],
             [
-                0.0, 6.38059239023797, 0.0, -first_moment_z, 0.0, first_moment_x, 0.26259881778612204,
+                zero, 6.38059239023797, zero, -first_moment_z, zero, first_moment_x, 0.26259881778612204,
                 -0.2266081225633984,
             ],
             [
-                0.0, 0.0, 6.38059239023797, first_moment_y, -first_moment_x, 0.0, 0.09435211124454879,
+                zero, zero, 6.38059239023797, first_moment_y, -first_moment_x, zero, 0.09435211124454879,
                 0.4601368236989972,
             ],
             [
-                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                zero, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                 coupling_x1,
             ],
             [
-                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                first_moment_z, zero, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                 coupling_y1,
             ],
             [
-                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                -first_moment_y, first_moment_x, zero, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                 coupling_z1,
             ],
             [

@@ -623,41 +623,39 @@ const _: () = {
         let inertia_xz = fma(change_xz, constant(-0.5), constant(0.03415672448949026));
         let inertia_xy = fma(change_xy, constant(-0.5), constant(0.6043439328184675));
 
+        let zero = support::zero_entry();
         *mass_matrix = [
             [
-                constant(8.317420932029258), constant(0.0), constant(0.0), constant(0.0), first_moment_z,
-                -first_moment_y, constant(0.1808945023903729), constant(0.260950312316442),
+                constant(8.317420932029258), zero, zero, zero, first_moment_z, -first_moment_y,
+                constant(0.1808945023903729), constant(0.260950312316442),
             ],
             [
-                constant(0.0), constant(8.317420932029258), constant(0.0), -first_moment_z,
-                constant(0.0), first_moment_x, constant(0.036312876401983746),
-                constant(0.04434516152818317),
+                zero, constant(8.317420932029258), zero, -first_moment_z, zero, first_moment_x,
+                constant(0.036312876401983746), constant(0.04434516152818317),
             ],
             [
-                constant(0.0), constant(0.0), constant(8.317420932029258), first_moment_y,
-                -first_moment_x, constant(0.0), constant(-0.253438228790526),
-                constant(0.018906293194520626),
+                zero, zero, constant(8.317420932029258), first_moment_y, -first_moment_x, zero,
+                constant(-0.253438228790526), constant(0.018906293194520626),
             ],
             [
-                constant(0.0), -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz,
-                coupling_x0, coupling_x1,
+                zero, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                coupling_x1,
             ],
             [
-                first_moment_z, constant(0.0), -first_moment_x, inertia_xy, inertia_yy, inertia_yz,
-                coupling_y0, coupling_y1,
+                first_moment_z, zero, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                coupling_y1,
             ],
             [
-                -first_moment_y, first_moment_x, constant(0.0), inertia_xz, inertia_yz, inertia_zz,
-                coupling_z0, coupling_z1,
+                -first_moment_y, first_moment_x, zero, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                coupling_z1,
             ],
             [
                 constant(0.1808945023903729), constant(0.036312876401983746),
-                constant(-0.253438228790526), coupling_x0, coupling_y0, coupling_z0, constant(1.0),
-                constant(0.0),
+                constant(-0.253438228790526), coupling_x0, coupling_y0, coupling_z0, constant(1.0), zero,
             ],
             [
                 constant(0.260950312316442), constant(0.04434516152818317),
-                constant(0.018906293194520626), coupling_x1, coupling_y1, coupling_z1, constant(0.0),
+                constant(0.018906293194520626), coupling_x1, coupling_y1, coupling_z1, zero,
                 constant(1.0),
             ],
         ];

@@ -556,38 +556,39 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, -0.8912259279844577);
         let inertia_xy = fma(change_xy, -0.5, 0.3117197889519798);
 
+        let zero = support::zero_entry();
         *mass_matrix = [
             [
-                7.95389213843747, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.7613599420768367,
+                7.95389213843747, zero, zero, zero, first_moment_z, -first_moment_y, -0.7613599420768367,
                 0.26899095817779994,
             ],
             [
-                0.0, 7.95389213843747, 0.0, -first_moment_z, 0.0, first_moment_x, -0.013296641892764124,
-                0.055993206221893924,
+                zero, 7.95389213843747, zero, -first_moment_z, zero, first_moment_x,
+                -0.013296641892764124, 0.055993206221893924,
             ],
             [
-                0.0, 0.0, 7.95389213843747, first_moment_y, -first_moment_x, 0.0, -0.14106512955956807,
-                0.23954110582463117,
+                zero, zero, 7.95389213843747, first_moment_y, -first_moment_x, zero,
+                -0.14106512955956807, 0.23954110582463117,
             ],
             [
-                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                zero, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                 coupling_x1,
             ],
             [
-                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                first_moment_z, zero, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                 coupling_y1,
             ],
             [
-                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                -first_moment_y, first_moment_x, zero, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                 coupling_z1,
             ],
             [
                 -0.7613599420768367, -0.013296641892764124, -0.14106512955956807, coupling_x0,
-                coupling_y0, coupling_z0, 1.0, 0.0,
+                coupling_y0, coupling_z0, 1.0, zero,
             ],
             [
                 0.26899095817779994, 0.055993206221893924, 0.23954110582463117, coupling_x1, coupling_y1,
-                coupling_z1, 0.0, 1.0,
+                coupling_z1, zero, 1.0,
             ],
         ];
         support::keep_stores_above();

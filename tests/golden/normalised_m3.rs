@@ -747,42 +747,43 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, -0.41849969519340835);
         let inertia_xy = fma(change_xy, -0.5, 1.0651734851717818);
 
+        let zero = support::zero_entry();
         *mass_matrix = [
             [
-                7.3591122239340905, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, -0.06409007611640456,
-                -0.25776611797120724, -0.23893014622917852,
+                7.3591122239340905, zero, zero, zero, first_moment_z, -first_moment_y,
+                -0.06409007611640456, -0.25776611797120724, -0.23893014622917852,
             ],
             [
-                0.0, 7.3591122239340905, 0.0, -first_moment_z, 0.0, first_moment_x, -0.9001934196050294,
-                -0.17297569884952893, -0.42481972953070996,
+                zero, 7.3591122239340905, zero, -first_moment_z, zero, first_moment_x,
+                -0.9001934196050294, -0.17297569884952893, -0.42481972953070996,
             ],
             [
-                0.0, 0.0, 7.3591122239340905, first_moment_y, -first_moment_x, 0.0, -0.10812284215722648,
-                -0.05794438109558275, 0.02522646067793359,
+                zero, zero, 7.3591122239340905, first_moment_y, -first_moment_x, zero,
+                -0.10812284215722648, -0.05794438109558275, 0.02522646067793359,
             ],
             [
-                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                zero, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                 coupling_x1, coupling_x2,
             ],
             [
-                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                first_moment_z, zero, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                 coupling_y1, coupling_y2,
             ],
             [
-                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                -first_moment_y, first_moment_x, zero, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                 coupling_z1, coupling_z2,
             ],
             [
                 -0.06409007611640456, -0.9001934196050294, -0.10812284215722648, coupling_x0,
-                coupling_y0, coupling_z0, 1.0, 0.0, 0.0,
+                coupling_y0, coupling_z0, 1.0, zero, zero,
             ],
             [
                 -0.25776611797120724, -0.17297569884952893, -0.05794438109558275, coupling_x1,
-                coupling_y1, coupling_z1, 0.0, 1.0, 0.0,
+                coupling_y1, coupling_z1, zero, 1.0, zero,
             ],
             [
                 -0.23893014622917852, -0.42481972953070996, 0.02522646067793359, coupling_x2,
-                coupling_y2, coupling_z2, 0.0, 0.0, 1.0,
+                coupling_y2, coupling_z2, zero, zero, 1.0,
             ],
         ];
         support::keep_stores_above();

@@ -18,6 +18,8 @@ pub struct Pendulum {
 impl Pendulum {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 1usize] = ["pin"];
+    #[doc = r" The bodies by their numbers in errors."]
+    pub const BODIES: [&'static str; 1usize] = ["beam"];
     #[doc = r" The mechanism of these bodies."]
     pub fn new(beam: Beam) -> Self {
         use ::ffrf::generated_support::mechanism as support;
@@ -194,7 +196,8 @@ const _: () = {
             targets: 1usize,
         },
     ];
-    static COUPLINGS: [places::Coupling; 1usize] = [places::Coupling { size: 5usize, node: 1usize }];
+    static COUPLINGS: [places::Coupling; 1usize] =
+        [places::Coupling { size: 5usize, node: 1usize, holds_point: false }];
     static TARGETS: [usize; 1usize] = [2usize];
     static BODIES: [places::BodyPlace; 1usize] = [places::BodyPlace { node: 0usize, diagonal: 0usize }];
     static JOINTS: [places::JointPlace; 1usize] = [places::JointPlace {
@@ -278,17 +281,14 @@ const _: () = {
             soft: bool,
             use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R,
         ) -> R {
-            let still = support::still::<f64>();
             use_it(&mut ::ffrf::mechanism::Storage {
-                blocks: &mut [[[::ffrf::generated_support::constant::<f64>(0.0); 6]; 6]; 3usize],
+                blocks: &mut support::absent::<_, 3usize>(),
                 solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
                 efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
-                rows: &mut [::ffrf::relations::Rows::none(); 1usize],
-                ends: &mut [[still; 2]; 1usize],
+                joints: &mut support::absent::<_, 1usize>(),
                 soft_markers: &mut [[0; 2]; 0usize],
-                used: false,
             })
         }
         fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
@@ -298,6 +298,7 @@ const _: () = {
                     leading: 1usize,
                     couplings: &COUPLINGS,
                     targets: &TARGETS,
+                    of_instant: true,
                 },
                 bodies: &BODIES,
                 joints: &JOINTS,
@@ -326,6 +327,24 @@ const _: () = {
             for port in ::core::slice::from_mut(&mut ports.beam) {
                 ::ffrf::mechanism::Port::weigh(port, &self.gravity);
             }
+        }
+        fn energy(&self, state: &Self::State) -> ::ffrf::mechanism::Energy<f64> {
+            let mut sum = ::ffrf::mechanism::Energy::none();
+            for (own, other) in
+                ::core::slice::from_ref(&self.beam).iter().zip(::core::slice::from_ref(&state.beam))
+            {
+                sum.add_body(own, other, &self.gravity);
+            }
+            sum
+        }
+        fn momentum(&self, state: &Self::State) -> ::ffrf::mechanism::Momentum<f64> {
+            let mut sum = ::ffrf::mechanism::Momentum::none();
+            for (own, other) in
+                ::core::slice::from_ref(&self.beam).iter().zip(::core::slice::from_ref(&state.beam))
+            {
+                sum.add_body(own, other);
+            }
+            sum
         }
         fn treatment(&self) -> ::ffrf::mechanism::Treatment<f64> {
             self.treatment

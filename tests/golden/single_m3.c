@@ -24,6 +24,8 @@
  */
 #include "single_body.h"
 
+#include <math.h>
+
 const single_body_marker SINGLE_BODY_TIP = {
     {0.7731163f, 0.114832416f, 0.084468916f},
     {
@@ -1444,3 +1446,132 @@ void single_body_prepare(
     internal_force[2] = t27;
 }
 
+/* The state that an increment leads to. */
+static void single_body_retract(const single_body_state *origin, const float increment[18], single_body_state *state)
+{
+    const float *a = origin->orientation;
+    const float x = 0.5f * increment[3];
+    const float y = 0.5f * increment[4];
+    const float z = 0.5f * increment[5];
+    const float w_ = a[0] - a[1] * x - a[2] * y - a[3] * z;
+    const float x_ = a[0] * x + a[1] + a[2] * z - a[3] * y;
+    const float y_ = a[0] * y - a[1] * z + a[2] + a[3] * x;
+    const float z_ = a[0] * z + a[1] * y - a[2] * x + a[3];
+    const float norm = sqrtf(x_ * x_ + y_ * y_ + z_ * z_ + w_ * w_);
+    int k;
+    state->orientation[0] = w_ / norm;
+    state->orientation[1] = x_ / norm;
+    state->orientation[2] = y_ / norm;
+    state->orientation[3] = z_ / norm;
+    for (k = 0; k < 3; k++) {
+        state->position[k] = origin->position[k] + increment[k];
+        state->velocity[k] = origin->velocity[k] + increment[9 + k];
+        state->omega[k] = origin->omega[k] + increment[9 + 3 + k];
+    }
+    for (k = 0; k < 3; k++) {
+        state->q[k] = origin->q[k] + increment[6 + k];
+        state->q_dot[k] = origin->q_dot[k] + increment[9 + 6 + k];
+    }
+}
+/* A u with `sign` one: components in space of a vector of the body frame; its inverse with minus one. */
+static void single_body_rotate(const float orientation[4], float sign, const float u[3], float rotated[3])
+{
+    const float x = sign * orientation[1];
+    const float y = sign * orientation[2];
+    const float z = sign * orientation[3];
+    const float a = 2.0f * (y * u[2] - z * u[1]);
+    const float b = 2.0f * (z * u[0] - x * u[2]);
+    const float c = 2.0f * (x * u[1] - y * u[0]);
+    rotated[0] = a * orientation[0] + (y * c - z * b) + u[0];
+    rotated[1] = b * orientation[0] + (z * a - x * c) + u[1];
+    rotated[2] = c * orientation[0] + (x * b - y * a) + u[2];
+}
+/* The rate of the increment of size `factor` times `direction` from `origin`. */
+static void single_body_rates(
+    const single_body_state *origin,
+    const float gravity[3],
+    float factor,
+    const float direction[18],
+    float rates[18]
+)
+{
+    single_body_state state;
+    float increment[18];
+    float weight[3];
+    float force[9];
+    float acceleration[9];
+    float projection;
+    float half[3];
+    int k;
+    for (k = 0; k < 18; k++) {
+        increment[k] = direction[k] * factor;
+    }
+    single_body_retract(origin, increment, &state);
+    single_body_rotate(state.orientation, -1.0f, gravity, weight);
+    single_body_gravity_force(state.q, weight, force);
+    single_body_forward_dynamics(state.q, state.omega, state.q_dot, force, acceleration);
+    for (k = 0; k < 3; k++) {
+        half[k] = 0.5f * increment[3 + k];
+    }
+    projection = half[0] * state.omega[0] + half[1] * state.omega[1] + half[2] * state.omega[2];
+    rates[3] = state.omega[0] + (half[1] * state.omega[2] - half[2] * state.omega[1]) + half[0] * projection;
+    rates[4] = state.omega[1] + (half[2] * state.omega[0] - half[0] * state.omega[2]) + half[1] * projection;
+    rates[5] = state.omega[2] + (half[0] * state.omega[1] - half[1] * state.omega[0]) + half[2] * projection;
+    single_body_rotate(state.orientation, 1.0f, acceleration, &rates[9]);
+    for (k = 0; k < 3; k++) {
+        rates[k] = state.velocity[k];
+        rates[9 + 3 + k] = acceleration[3 + k];
+    }
+    for (k = 0; k < 3; k++) {
+        rates[6 + k] = state.q_dot[k];
+        rates[9 + 6 + k] = acceleration[6 + k];
+    }
+}
+/* Zero if every number of a state is finite, not a number else. */
+static float single_body_not_finite(const single_body_state *state)
+{
+    float sum = 0.0f;
+    int k;
+    for (k = 0; k < 3; k++) {
+        sum += 0.0f * state->position[k] + 0.0f * state->velocity[k] + 0.0f * state->omega[k];
+    }
+    for (k = 0; k < 4; k++) {
+        sum += 0.0f * state->orientation[k];
+    }
+    for (k = 0; k < 3; k++) {
+        sum += 0.0f * state->q[k] + 0.0f * state->q_dot[k];
+    }
+    return sum;
+}
+int single_body_step_rk4(const float gravity[3], float step, single_body_state *state)
+{
+    const float third = step / 3.0f;
+    const float sixth = step / 6.0f;
+    const float half = step * 0.5f;
+    single_body_state next;
+    float k1[18];
+    float k2[18];
+    float k3[18];
+    float k4[18];
+    float slope[18];
+    int k;
+    if (!(step > 0.0f && 0.0f * step >= 0.0f && single_body_not_finite(state) >= 0.0f)) {
+        return 0;
+    }
+    for (k = 0; k < 18; k++) {
+        slope[k] = 0.0f;
+    }
+    single_body_rates(state, gravity, 0.0f, slope, k1);
+    single_body_rates(state, gravity, half, k1, k2);
+    single_body_rates(state, gravity, half, k2, k3);
+    single_body_rates(state, gravity, step, k3, k4);
+    for (k = 0; k < 18; k++) {
+        slope[k] = k1[k] * sixth + k2[k] * third + k3[k] * third + k4[k] * sixth;
+    }
+    single_body_retract(state, slope, &next);
+    if (!(single_body_not_finite(&next) >= 0.0f)) {
+        return 0;
+    }
+    *state = next;
+    return 1;
+}

@@ -240,6 +240,30 @@ void single_body_prepare(
     float internal_force[3]
 );
 
+/*
+ * Where the free body is and how it moves. Orientation: Euler parameters, scalar first, body to inertial, of norm one.
+ * Units: m, m/s, rad/s, and those of the modes. Frame: inertial; omega: body.
+ */
+typedef struct {
+    float position[3];
+    float orientation[4];
+    float q[3];
+    float velocity[3];
+    float omega[3];
+    float q_dot[3];
+} single_body_state;
+
+/*
+ * One step of the classical Runge-Kutta method of order four: the free body under gravity, elastic and damping forces.
+ *
+ * Fixed cost: four evaluations of the accelerations. Returns 1, or 0 if the step is not positive and finite, or a number
+ * of the state is not finite before the step or would not be after it; the state is then unchanged.
+ * Shape: gravity 3. Units: gravity m/s², step s. Frame: inertial.
+ * Source: Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, table II.1.2, in the chart of the Cayley
+ * map about the orientation.
+ */
+int single_body_step_rk4(const float gravity[3], float step, single_body_state *state);
+
 #ifdef __cplusplus
 }
 #endif

@@ -630,35 +630,42 @@ const _: () = {
         let inertia_xz = -0.6668763 + change_xz * -0.5;
         let inertia_xy = 0.3309048 + change_xy * -0.5;
 
+        let zero = support::zero_entry();
         *mass_matrix = [
             [
-                10.160826, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, 0.6962052, -0.4649262,
+                10.160826, zero, zero, zero, first_moment_z, -first_moment_y, 0.6962052, -0.4649262,
                 0.42337617,
             ],
             [
-                0.0, 10.160826, 0.0, -first_moment_z, 0.0, first_moment_x, 0.3785621, 0.0741744,
+                zero, 10.160826, zero, -first_moment_z, zero, first_moment_x, 0.3785621, 0.0741744,
                 -0.45901504,
             ],
             [
-                0.0, 0.0, 10.160826, first_moment_y, -first_moment_x, 0.0, -0.93608946, -0.5361588,
+                zero, zero, 10.160826, first_moment_y, -first_moment_x, zero, -0.93608946, -0.5361588,
                 -0.075348966,
             ],
             [
-                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                zero, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                 coupling_x1, coupling_x2,
             ],
             [
-                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                first_moment_z, zero, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                 coupling_y1, coupling_y2,
             ],
             [
-                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                -first_moment_y, first_moment_x, zero, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                 coupling_z1, coupling_z2,
             ],
-            [0.6962052, 0.3785621, -0.93608946, coupling_x0, coupling_y0, coupling_z0, 1.0, 0.0, 0.0],
-            [-0.4649262, 0.0741744, -0.5361588, coupling_x1, coupling_y1, coupling_z1, 0.0, 1.0, 0.0],
             [
-                0.42337617, -0.45901504, -0.075348966, coupling_x2, coupling_y2, coupling_z2, 0.0, 0.0,
+                0.6962052, 0.3785621, -0.93608946, coupling_x0, coupling_y0, coupling_z0, 1.0, zero,
+                zero,
+            ],
+            [
+                -0.4649262, 0.0741744, -0.5361588, coupling_x1, coupling_y1, coupling_z1, zero, 1.0,
+                zero,
+            ],
+            [
+                0.42337617, -0.45901504, -0.075348966, coupling_x2, coupling_y2, coupling_z2, zero, zero,
                 1.0,
             ],
         ];

@@ -36,6 +36,8 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" The joints and drives by their numbers in errors."]
     pub const JOINTS: [&'static str; 8usize] =
         ["main", "motor", "big_end", "small_end", "guide", "root", "hinges[0]", "hinges[1]"];
+    #[doc = r" The bodies by their numbers in errors."]
+    pub const BODIES: [&'static str; 6usize] = ["crank", "rod", "piston", "links[0]", "links[1]", "links[2]"];
     #[doc = r" The mechanism of these bodies."]
     pub fn new(rod: Rod, piston: Piston, links: [Rod; 3usize]) -> Self {
         use ::ffrf::generated_support::mechanism as support;
@@ -569,25 +571,25 @@ const _: () = {
         },
     ];
     static COUPLINGS: [places::Coupling; 19usize] = [
-        places::Coupling { size: 1usize, node: 7usize },
-        places::Coupling { size: 5usize, node: 6usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 3usize, node: 9usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 5usize, node: 10usize },
-        places::Coupling { size: 3usize, node: 9usize },
-        places::Coupling { size: 4usize, node: 12usize },
-        places::Coupling { size: 5usize, node: 11usize },
-        places::Coupling { size: 4usize, node: 13usize },
-        places::Coupling { size: 4usize, node: 12usize },
-        places::Coupling { size: 4usize, node: 13usize },
-        places::Coupling { size: 5usize, node: 6usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 4usize, node: 12usize },
-        places::Coupling { size: 3usize, node: 9usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 5usize, node: 11usize },
-        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 7usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 6usize, holds_point: true },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: true },
+        places::Coupling { size: 3usize, node: 9usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 10usize, holds_point: false },
+        places::Coupling { size: 3usize, node: 9usize, holds_point: true },
+        places::Coupling { size: 4usize, node: 12usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 11usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 13usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 12usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 13usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 6usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 12usize, holds_point: false },
+        places::Coupling { size: 3usize, node: 9usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 11usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
     ];
     static TARGETS: [usize; 27usize] = [
         18usize, 19usize, 30usize, 20usize, 31usize, 32usize, 25usize, 26usize, 32usize, 23usize, 24usize,
@@ -867,31 +869,31 @@ const _: () = {
         },
     ];
     static SOFT_COUPLINGS: [places::Coupling; 25usize] = [
-        places::Coupling { size: 1usize, node: 7usize },
-        places::Coupling { size: 1usize, node: 14usize },
-        places::Coupling { size: 5usize, node: 6usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 3usize, node: 9usize },
-        places::Coupling { size: 1usize, node: 14usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 5usize, node: 10usize },
-        places::Coupling { size: 3usize, node: 9usize },
-        places::Coupling { size: 4usize, node: 12usize },
-        places::Coupling { size: 5usize, node: 11usize },
-        places::Coupling { size: 4usize, node: 13usize },
-        places::Coupling { size: 4usize, node: 12usize },
-        places::Coupling { size: 4usize, node: 13usize },
-        places::Coupling { size: 1usize, node: 14usize },
-        places::Coupling { size: 5usize, node: 6usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 4usize, node: 12usize },
-        places::Coupling { size: 3usize, node: 9usize },
-        places::Coupling { size: 1usize, node: 14usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 5usize, node: 6usize },
-        places::Coupling { size: 5usize, node: 8usize },
-        places::Coupling { size: 5usize, node: 11usize },
-        places::Coupling { size: 5usize, node: 8usize },
+        places::Coupling { size: 1usize, node: 7usize, holds_point: false },
+        places::Coupling { size: 1usize, node: 14usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 6usize, holds_point: true },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: true },
+        places::Coupling { size: 3usize, node: 9usize, holds_point: false },
+        places::Coupling { size: 1usize, node: 14usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 10usize, holds_point: false },
+        places::Coupling { size: 3usize, node: 9usize, holds_point: true },
+        places::Coupling { size: 4usize, node: 12usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 11usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 13usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 12usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 13usize, holds_point: false },
+        places::Coupling { size: 1usize, node: 14usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 6usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
+        places::Coupling { size: 4usize, node: 12usize, holds_point: false },
+        places::Coupling { size: 3usize, node: 9usize, holds_point: false },
+        places::Coupling { size: 1usize, node: 14usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 6usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 11usize, holds_point: false },
+        places::Coupling { size: 5usize, node: 8usize, holds_point: false },
     ];
     static SOFT_TARGETS: [usize; 42usize] = [
         20usize, 21usize, 31usize, 22usize, 32usize, 37usize, 23usize, 33usize, 38usize, 39usize, 28usize,
@@ -1085,6 +1087,7 @@ const _: () = {
                 leading: 6usize,
                 couplings: &SOFT_COUPLINGS,
                 targets: &SOFT_TARGETS,
+                of_instant: true,
             },
             bodies: &SOFT_BODIES,
             joints: &SOFT_JOINTS,
@@ -1248,30 +1251,25 @@ const _: () = {
             soft: bool,
             use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, T>) -> R,
         ) -> R {
-            let still = support::still::<T>();
             if soft {
                 use_it(&mut ::ffrf::mechanism::Storage {
-                    blocks: &mut [[[::ffrf::generated_support::constant::<T>(0.0); 6]; 6]; 40usize],
+                    blocks: &mut support::absent::<_, 40usize>(),
                     solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
                     right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
                     shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
                     efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
-                    rows: &mut [::ffrf::relations::Rows::none(); 9usize],
-                    ends: &mut [[still; 2]; 9usize],
+                    joints: &mut support::absent::<_, 9usize>(),
                     soft_markers: &mut [[0; 2]; 1usize],
-                    used: false,
                 })
             } else {
                 use_it(&mut ::ffrf::mechanism::Storage {
-                    blocks: &mut [[[::ffrf::generated_support::constant::<T>(0.0); 6]; 6]; 33usize],
+                    blocks: &mut support::absent::<_, 33usize>(),
                     solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                     right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                     shift: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                     efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
-                    rows: &mut [::ffrf::relations::Rows::none(); 8usize],
-                    ends: &mut [[still; 2]; 8usize],
+                    joints: &mut support::absent::<_, 8usize>(),
                     soft_markers: &mut [[0; 2]; 0usize],
-                    used: false,
                 })
             }
         }
@@ -1282,6 +1280,7 @@ const _: () = {
                     leading: 6usize,
                     couplings: &COUPLINGS,
                     targets: &TARGETS,
+                    of_instant: true,
                 },
                 bodies: &BODIES,
                 joints: &JOINTS,
@@ -1330,6 +1329,52 @@ const _: () = {
                 0usize => ::core::option::Option::Some(self.brake.soft()),
                 _ => ::core::option::Option::None,
             }
+        }
+        fn energy(&self, state: &Self::State) -> ::ffrf::mechanism::Energy<T> {
+            let mut sum = ::ffrf::mechanism::Energy::none();
+            for (own, other) in
+                ::core::slice::from_ref(&self.crank).iter().zip(::core::slice::from_ref(&state.crank))
+            {
+                sum.add_body(own, other, &self.gravity);
+            }
+            for (own, other) in
+                ::core::slice::from_ref(&self.rod).iter().zip(::core::slice::from_ref(&state.rod))
+            {
+                sum.add_body(own, other, &self.gravity);
+            }
+            for (own, other) in
+                ::core::slice::from_ref(&self.piston).iter().zip(::core::slice::from_ref(&state.piston))
+            {
+                sum.add_body(own, other, &self.gravity);
+            }
+            for (own, other) in self.links.as_slice().iter().zip(state.links.as_slice()) {
+                sum.add_body(own, other, &self.gravity);
+            }
+            let ports = ::ffrf::mechanism::Assembly::ports(self, *state, ::core::option::Option::None);
+            sum.potential += self.brake.energy(&ports);
+            sum
+        }
+        fn momentum(&self, state: &Self::State) -> ::ffrf::mechanism::Momentum<T> {
+            let mut sum = ::ffrf::mechanism::Momentum::none();
+            for (own, other) in
+                ::core::slice::from_ref(&self.crank).iter().zip(::core::slice::from_ref(&state.crank))
+            {
+                sum.add_body(own, other);
+            }
+            for (own, other) in
+                ::core::slice::from_ref(&self.rod).iter().zip(::core::slice::from_ref(&state.rod))
+            {
+                sum.add_body(own, other);
+            }
+            for (own, other) in
+                ::core::slice::from_ref(&self.piston).iter().zip(::core::slice::from_ref(&state.piston))
+            {
+                sum.add_body(own, other);
+            }
+            for (own, other) in self.links.as_slice().iter().zip(state.links.as_slice()) {
+                sum.add_body(own, other);
+            }
+            sum
         }
         fn treatment(&self) -> ::ffrf::mechanism::Treatment<T> {
             self.treatment

@@ -649,38 +649,39 @@ const _: () = {
         let inertia_xz = fma(change_xz, -0.5, -0.3301091078793566);
         let inertia_xy = fma(change_xy, -0.5, 0.5045461310218917);
 
+        let zero = support::zero_entry();
         *mass_matrix = [
             [
-                7.326169929447994, 0.0, 0.0, 0.0, first_moment_z, -first_moment_y, modal_first_moment0_x,
-                modal_first_moment1_x,
+                7.326169929447994, zero, zero, zero, first_moment_z, -first_moment_y,
+                modal_first_moment0_x, modal_first_moment1_x,
             ],
             [
-                0.0, 7.326169929447994, 0.0, -first_moment_z, 0.0, first_moment_x, modal_first_moment0_y,
-                modal_first_moment1_y,
+                zero, 7.326169929447994, zero, -first_moment_z, zero, first_moment_x,
+                modal_first_moment0_y, modal_first_moment1_y,
             ],
             [
-                0.0, 0.0, 7.326169929447994, first_moment_y, -first_moment_x, 0.0, modal_first_moment0_z,
-                modal_first_moment1_z,
+                zero, zero, 7.326169929447994, first_moment_y, -first_moment_x, zero,
+                modal_first_moment0_z, modal_first_moment1_z,
             ],
             [
-                0.0, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
+                zero, -first_moment_z, first_moment_y, inertia_xx, inertia_xy, inertia_xz, coupling_x0,
                 coupling_x1,
             ],
             [
-                first_moment_z, 0.0, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
+                first_moment_z, zero, -first_moment_x, inertia_xy, inertia_yy, inertia_yz, coupling_y0,
                 coupling_y1,
             ],
             [
-                -first_moment_y, first_moment_x, 0.0, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
+                -first_moment_y, first_moment_x, zero, inertia_xz, inertia_yz, inertia_zz, coupling_z0,
                 coupling_z1,
             ],
             [
                 modal_first_moment0_x, modal_first_moment0_y, modal_first_moment0_z, coupling_x0,
-                coupling_y0, coupling_z0, 1.0, 0.0,
+                coupling_y0, coupling_z0, 1.0, zero,
             ],
             [
                 modal_first_moment1_x, modal_first_moment1_y, modal_first_moment1_z, coupling_x1,
-                coupling_y1, coupling_z1, 0.0, 1.0,
+                coupling_y1, coupling_z1, zero, 1.0,
             ],
         ];
         support::keep_stores_above();

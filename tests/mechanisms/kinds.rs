@@ -81,7 +81,7 @@ fn all_of_them_move_together() {
     }
     let residuals = Constrained(&model)
         .evaluate(mechanism.time, mechanism.state, None, |_, storage| {
-            let rows = storage.rows.iter().flat_map(|rows| rows.iter());
+            let rows = storage.evaluated().flat_map(|joint| joint.rows.iter());
             rows.fold(0.0_f64, |largest, row| largest.max(row.residual.abs()))
         })
         .unwrap();

@@ -4,6 +4,7 @@
 mod arrays;
 mod bodies;
 mod chain;
+mod energies;
 mod friction;
 mod kinds;
 mod misassembled;

@@ -1,7 +1,7 @@
 //! A flexible body that hangs on a revolute joint.
 
 use ffrf::mechanism::Mechanism;
-use ffrf::{Drift, StepReport};
+use ffrf::{Drift, StepError, StepReport};
 
 use crate::bodies::{BIG_END, Pendulum, WholeRod, energy};
 
@@ -86,4 +86,20 @@ fn sensors_agree_with_each_other() {
     let shock = (model.speed(&after) - model.speed(&state)) / step;
     let found = model.shock(time, &state).unwrap();
     assert!((shock - found).norm() < 1e-2 * found.norm(), "{shock} {found}");
+}
+
+#[test]
+fn an_absurd_deformation_is_told_with_the_body_and_its_size() {
+    let model = Pendulum::new(WholeRod);
+    let mut pendulum = model.in_motion(model.at_rest());
+    pendulum.assemble().unwrap();
+    // squares of it are beyond the number type
+    pendulum.state.rod.modal_coordinates[0] = -1e200;
+    let before = pendulum.state;
+    let error = pendulum.step_rk4(1e-6).unwrap_err();
+    assert_eq!(error, StepError::BodyNotPositive { body: 0, amplitude: 1e200 });
+    assert!(
+        error.to_string().contains("body 0 is not positive definite at modal coordinates of up to 1.000e200")
+    );
+    assert_eq!((Pendulum::BODIES, pendulum.state), (["rod"], before));
 }

@@ -28,12 +28,12 @@ pub struct Inspect {
 /// `ffrf generate`
 #[derive(Debug, Args)]
 pub struct Generate {
-    /// The reduced body.
+    /// The reduced body; with --language c, a scene SCENE.toml as well: the time step of its mechanism.
     #[arg(value_name = "MODEL", required_unless_present = "layout")]
     pub model: Option<PathBuf>,
-    /// Name of the generated type.
-    #[arg(long, default_value = "Body")]
-    pub name: String,
+    /// Name of the generated type (default: Body, or Mechanism for a scene).
+    #[arg(long)]
+    pub name: Option<String>,
     /// Use these modes of the model only: the first N, a range A..B or a list A,B,C (from 0); with --layout, the
     /// number of modes.
     #[arg(long, value_name = "N|A..B|A,B,C")]
@@ -109,7 +109,7 @@ mod tests {
     fn the_defaults_are_those_of_the_generator() {
         let default = ffrf_codegen::GenerateOptions::default();
         let found = generate("body.ffrf.json").unwrap();
-        assert_eq!((found.name, found.modes, found.scalar), (default.name, default.modes, default.scalar));
+        assert_eq!((found.name, found.modes, found.scalar), (None, default.modes, default.scalar));
         assert_eq!((found.fidelity, found.jacobians), (default.fidelity, default.jacobians));
         assert_eq!((found.strategy, found.fma), (default.strategy, default.fused_multiply_add));
         assert_eq!(found.layout_tolerance, default.layout_tolerance);

@@ -45,10 +45,17 @@ pub struct InterfaceChoice {
     /// At how many frequencies they are compared.
     #[arg(long, value_name = "COUNT", requires = "transfer_up_to", default_value_t = 40)]
     pub transfer_points: usize,
+    /// Compare these bases too, each with as many modes as the body has: names as for --basis, commas between, or `all`.
+    #[arg(long, value_name = "BASES", requires = "transfer_up_to", conflicts_with = "raw", value_parser = parse_bases)]
+    pub transfer_bases: Option<Bases>,
     /// Plot the comparison.
     #[arg(long, value_name = "OUT.svg", requires = "transfer_up_to")]
     pub transfer_plot: Option<PathBuf>,
 }
+
+/// `--transfer-bases`
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Bases(pub Vec<ComponentBasis>);
 
 /// `--basis`
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -61,6 +68,10 @@ pub enum BasisArgument {
     Rubin,
     /// Constraint modes, inertia relief, and free normal modes relative to the interfaces
     Herting,
+    /// Free normal modes alone
+    FreeFree,
+    /// Normal modes with the first interface at rest, alone
+    Clamped,
 }
 
 impl From<BasisArgument> for ComponentBasis {
@@ -70,6 +81,8 @@ impl From<BasisArgument> for ComponentBasis {
             BasisArgument::Attachment => Self::Attachment,
             BasisArgument::Rubin => Self::Rubin,
             BasisArgument::Herting => Self::Herting,
+            BasisArgument::FreeFree => Self::FreeFree,
+            BasisArgument::Clamped => Self::Clamped,
         }
     }
 }
@@ -231,6 +244,19 @@ fn parse_reference(text: &str) -> Result<ReferenceCondition, String> {
     }
 }
 
+fn parse_bases(text: &str) -> Result<Bases, String> {
+    if text == "all" {
+        return Ok(Bases(ComponentBasis::ALL.to_vec()));
+    }
+    let basis = |name: &str| BasisArgument::from_str(name.trim(), false).map(ComponentBasis::from);
+    let bases: Result<Vec<_>, String> = text.split(',').map(basis).collect();
+    bases.map(Bases).map_err(|_| {
+        let names = BasisArgument::value_variants().iter().filter_map(|basis| basis.to_possible_value());
+        let names: Vec<String> = names.map(|value| value.get_name().to_owned()).collect();
+        format!("`{text}`: expected `all`, or some of {} with commas between", names.join(", "))
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -260,6 +286,14 @@ mod tests {
             let message = parse_interface(text).unwrap_err();
             assert!(message.contains(part), "{text}: `{message}` lacks `{part}`");
         }
+    }
+
+    #[test]
+    fn bases_are_read() {
+        let two = parse_bases("free-free, rubin").unwrap();
+        assert_eq!(two.0, [ComponentBasis::FreeFree, ComponentBasis::Rubin]);
+        assert_eq!(parse_bases("all").unwrap().0.len(), BasisArgument::value_variants().len());
+        assert!(parse_bases("rubin,macneal").unwrap_err().contains("craig-bampton"));
     }
 
     #[test]

@@ -17,7 +17,7 @@ use plotters::prelude::{
 pub use campbell::draw as draw_campbell;
 pub use histories::{Panel, draw as draw_histories};
 pub use trade::{COST_OPERATIONS, COST_TIME, TradePoint, draw_pareto, draw_work_precision};
-pub use transfer::draw as draw_transfer;
+pub use transfer::{Curve, draw as draw_transfer};
 
 /// Axes, frames and text.
 const GREY: RGBColor = RGBColor(60, 60, 60);

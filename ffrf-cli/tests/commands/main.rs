@@ -1,5 +1,6 @@
 //! The command as a user runs it: one file for each way to use it, in a folder of its own (`workbench`).
 
+mod assembly;
 mod bad_input;
 mod convert;
 mod doors;

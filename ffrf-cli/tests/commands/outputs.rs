@@ -174,3 +174,28 @@ fn generated_c_is_a_source_and_a_header_called_after_the_body() {
         .failed(1, &["body.ffrf.json", "generic", "f64 or f32"]);
     bench.run("generate --layout damping=zero --modes 2 --language c").failed(1, &["--language c", "model"]);
 }
+
+#[test]
+fn generated_c_of_a_scene_is_the_step_of_its_mechanism() {
+    let bench = Workbench::with_part();
+    let scene = "[simulation]\nduration = 1.0\nstep = 1e-3\n[bodies.arm]\nmass = 1.0\ncenter_of_mass = [0.5, 0.0, 0.0]\n\
+                 inertia = [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]]\n\
+                 [joints.pin]\nkind = \"revolute\"\nfirst = \"ground\"\nsecond = \"arm\"\n";
+    bench.write("arm.toml", scene);
+    bench.run("generate arm.toml --language c --name TestArm --scalar f32 -o arm.c").succeeded();
+    assert!(bench.read("arm.c").contains("#include \"test_arm.h\""));
+    let header = bench.read("test_arm.h");
+    assert!(
+        header
+            .contains("int test_arm_step(test_arm_state *state, const test_arm_inputs *inputs, float step);")
+    );
+    assert!(header.contains("TEST_ARM_BODY_ARM = 0") && header.contains("Scene: arm.toml"), "{header}");
+    let both = bench.run("generate arm.toml --language c").succeeded();
+    assert!(both.contains("int mechanism_step(") && !both.contains("#include \"mechanism.h\""));
+    bench.run("generate arm.toml").failed(1, &["arm.toml", "--language c"]);
+    bench.run("generate arm.toml --language c --modes 2").failed(1, &["--modes", "in the scene"]);
+    bench.write("arm.toml", &scene.replace("step =", "integrator = \"energy_momentum\"\nstep ="));
+    bench
+        .run("generate arm.toml --language c")
+        .failed(1, &["simulation.integrator", "energy_momentum", "in generated C"]);
+}

@@ -18,7 +18,10 @@ mod rust;
 mod units;
 mod writer;
 
-pub(crate) use self::c::Files as CFiles;
+pub(crate) use self::c::{
+    Files as CFiles, MechanismSubject as CMechanism, Names as CNames, kernel as c_kernel,
+    mechanism as c_mechanism,
+};
 use ffrf_model::ReducedBody;
 
 use crate::GenerateOptions;

@@ -22,7 +22,7 @@ pub use constant_factors::ConstantFactors;
 pub use draft::Draft;
 pub use jacobian::{Jacobian, Variable};
 pub use kernel::Kernel;
-pub use kernels::{Definition, Interface, JACOBIANS, KERNELS, Loop};
+pub use kernels::{Definition, Interface, JACOBIANS, KERNELS, Loop, PREPARE};
 pub use modal_mass::ModalFactors;
 pub use observables::{
     angular_momentum, elastic_energy, gravity_force, internal_force, kinetic_energy, linear_momentum,

@@ -9,6 +9,8 @@ pub struct KnownJoint {
     pub type_name: &'static str,
     /// Number of rows; `None` for the kind whose user chooses them.
     pub rows: Option<usize>,
+    /// Whether its first three rows keep two points together, in inertial components.
+    pub holds_point: bool,
     /// Whether it has an axis or axes to choose.
     pub has_axis: bool,
     /// Whether its angle can be driven.
@@ -25,15 +27,27 @@ impl KnownJoint {
 }
 
 const fn joint(name: &'static str, type_name: &'static str, rows: usize, has_axis: bool) -> KnownJoint {
-    KnownJoint { name, type_name, rows: Some(rows), has_axis, has_angle: false, has_travel: false }
+    KnownJoint {
+        name,
+        type_name,
+        rows: Some(rows),
+        holds_point: false,
+        has_axis,
+        has_angle: false,
+        has_travel: false,
+    }
+}
+
+const fn holding_point(joint: KnownJoint) -> KnownJoint {
+    KnownJoint { holds_point: true, ..joint }
 }
 
 /// Every kind of joint.
 pub const KNOWN_JOINTS: [KnownJoint; 12] = [
-    joint("fixed", "Fixed", 6, false),
-    KnownJoint { has_angle: true, ..joint("revolute", "Revolute", 5, true) },
-    joint("spherical", "Spherical", 3, false),
-    joint("universal", "Universal", 4, true),
+    holding_point(joint("fixed", "Fixed", 6, false)),
+    holding_point(KnownJoint { has_angle: true, ..joint("revolute", "Revolute", 5, true) }),
+    holding_point(joint("spherical", "Spherical", 3, false)),
+    holding_point(joint("universal", "Universal", 4, true)),
     KnownJoint { has_angle: true, has_travel: true, ..joint("cylindrical", "Cylindrical", 4, true) },
     KnownJoint { has_travel: true, ..joint("prismatic", "Prismatic", 5, true) },
     joint("planar", "Planar", 3, true),

@@ -29,6 +29,8 @@ pub struct CouplingPlace {
     pub size: usize,
     /// The later node.
     pub node: usize,
+    /// Whether this is a joint that holds a point, and the earlier node a rigid body that nothing has been taken out of.
+    pub holds_point: bool,
 }
 
 /// A block off the diagonal, as a joint sees it.
@@ -172,17 +174,20 @@ impl MechanismPlan {
         for (node, neighbours) in &order {
             let mut later = neighbours.clone();
             later.sort_by_key(|other| turn[*other]);
+            let is_diagonal = !changed[*node] && topology.flexible.get(*node) == Some(&false);
             steps.push(StepPlace {
                 size: sizes[*node],
                 node: *node,
                 diagonal: blocks[&(*node, *node)],
-                is_diagonal: !changed[*node] && topology.flexible.get(*node) == Some(&false),
+                is_diagonal,
                 couplings: couplings.len(),
                 targets: targets.len(),
             });
             for (index, row) in later.iter().enumerate() {
                 changed[*row] = true;
-                couplings.push(CouplingPlace { size: sizes[*row], node: *row });
+                let joint = row.checked_sub(bodies).and_then(|joint| topology.joints.get(joint));
+                let holds_point = is_diagonal && joint.is_some_and(|joint| joint.holds_point);
+                couplings.push(CouplingPlace { size: sizes[*row], node: *row, holds_point });
                 // rows of the earlier of both, columns of the later
                 targets.extend(later[..=index].iter().map(|column| blocks[&(*column, *row)]));
             }

@@ -16,9 +16,9 @@ pub struct Topology {
 
 /// The fewest ends of joints on a body that may keep its modes as unknowns.
 const ENDS_OF_HUB: usize = 4;
-/// A body with more ends of joints keeps its modes, however many there are: couplings of all pairs of joints would be a long
-/// list.
-const MOST_ENDS_ELIMINATED: usize = 16;
+/// A body with more ends of joints keeps its modes in a compiled mechanism, however many there are: it would have constants
+/// for the couplings of all pairs of joints, n³/6 of them, for a body with some five times as many modes as ends.
+const MOST_ENDS_ELIMINATED: usize = 32;
 
 /// A flexible body with so many joints that its modes may be kept as unknowns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +32,7 @@ pub struct Hub {
 }
 
 impl Hub {
-    /// Whether its modes are kept however many there are.
+    /// Whether its modes are kept however many there are, where that number is not known when the layout is written.
     pub fn always_keeps(&self) -> bool {
         self.ends > MOST_ENDS_ELIMINATED
     }
@@ -43,6 +43,8 @@ impl Hub {
 pub struct JointTopology {
     /// Number of rows, 1 to 6.
     pub rows: usize,
+    /// Whether its first three rows keep two points together, in inertial components.
+    pub holds_point: bool,
     /// The bodies at its first and second end; `None` for the ground.
     pub ends: [Option<usize>; 2],
 }
@@ -89,7 +91,7 @@ impl Topology {
     /// Whether every joint connects two different things that exist.
     pub fn check(&self) -> Result<(), TopologyError> {
         let count = self.flexible.len();
-        for (joint, JointTopology { rows, ends }) in self.joints.iter().enumerate() {
+        for (joint, JointTopology { rows, ends, .. }) in self.joints.iter().enumerate() {
             if !(1..=MOST_ROWS).contains(rows) {
                 return Err(TopologyError::Rows { joint, found: *rows });
             }

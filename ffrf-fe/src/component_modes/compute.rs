@@ -3,17 +3,19 @@
 use std::collections::BTreeSet;
 
 use faer::{Mat, Par};
+use ffrf_model::ModeKind;
 
 use crate::modes::{Progress, Stage, gram};
 use crate::{FeError, FeModel, ModeBasis};
 
+use super::condition::Condition;
 use super::constrained::Constrained;
 use super::coordinates::Coordinates;
 use super::flexibility::{Flexibility, Supported};
 use super::free_free::{Transformed, transform};
 use super::importance::{compliance_kept, compliance_shares, effective_mass_shares};
 use super::interface_motion::InterfaceMotion;
-use super::normal_modes::NormalModes;
+use super::normal_modes::{NormalModes, normal_modes};
 use super::report::{ComponentReport, NormalEntry, entries};
 use super::rigid_motion::RigidMotion;
 use super::shapes::Shapes;
@@ -156,6 +158,14 @@ fn span(
         (Some(constrained), ComponentBasis::Herting) => herting::shapes(constrained, count, &mut told)?,
         (Some(constrained), _) => craig_bampton::shapes(constrained, count, &mut told)?,
         (None, ComponentBasis::Rubin) => residual::shapes(flexibility, motion, count, &mut told)?,
+        (None, ComponentBasis::FreeFree) => {
+            eigenmodes(Condition::Free(flexibility), ModeKind::FreeFree, count, &mut told)?
+        }
+        (None, ComponentBasis::Clamped) => {
+            let first = InterfaceMotion::new(flexibility.coordinates, &request.interfaces)?.first();
+            let held = Constrained::new(flexibility, &first, &compliance[..first.count()])?;
+            eigenmodes(Condition::Clamped(&held), ModeKind::Clamped, count, &mut told)?
+        }
         (None, _) => attachment::shapes(flexibility, motion, count, &mut told)?,
     };
     let coordinates = flexibility.coordinates;
@@ -173,6 +183,17 @@ fn span(
         static_load::shapes(coordinates.model, flexibility, constrained.as_ref(), &request.static_loads)?;
     let shapes = shapes.and(loads);
     Ok(Span { count: shapes.modes.len(), shapes, normal, entries })
+}
+
+/// Normal modes alone.
+fn eigenmodes(
+    condition: Condition<'_>,
+    kind: ModeKind,
+    count: usize,
+    progress: &mut dyn FnMut(usize),
+) -> Result<(Shapes, NormalModes), FeError> {
+    let modes = normal_modes(condition, count, progress)?;
+    Ok((Shapes::normal(&modes, kind), modes))
 }
 
 fn check(request: &ComponentRequest) -> Result<(), ComponentModeError> {

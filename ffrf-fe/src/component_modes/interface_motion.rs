@@ -45,6 +45,12 @@ impl InterfaceMotion {
         Ok(Self { sources: sources.collect::<Result<_, _>>()? })
     }
 
+    /// The rows of the first interface.
+    pub fn first(mut self) -> Self {
+        self.sources.truncate(1);
+        self
+    }
+
     /// Number of rows.
     pub fn count(&self) -> usize {
         6 * self.sources.len()

@@ -59,4 +59,4 @@ pub use request::{BasisForm, ComponentBasis, ComponentRequest};
 pub use selection::NodeSelection;
 pub use static_load::StaticLoad;
 pub(crate) use static_shapes::{static_responses, static_shapes};
-pub use transfer_function::{TransferPoint, transfer_functions};
+pub use transfer_function::{TransferPoint, compare_bases, transfer_functions};

@@ -53,12 +53,31 @@ pub enum ComponentBasis {
     Rubin,
     /// Constraint modes, inertia-relief modes, and free normal modes relative to the interfaces.
     Herting,
+    /// Free normal modes alone: what interfaces need static shapes for is seen against it.
+    FreeFree,
+    /// Normal modes with the first interface at rest, alone.
+    Clamped,
 }
 
 impl ComponentBasis {
-    /// True if its normal modes have the interfaces at rest.
+    /// Every basis.
+    pub const ALL: [Self; 6] =
+        [Self::FreeFree, Self::Clamped, Self::CraigBampton, Self::Attachment, Self::Rubin, Self::Herting];
+
+    /// True if its shapes are constraint modes and normal modes with all interfaces at rest.
     pub fn is_clamped(self) -> bool {
         self == Self::CraigBampton
+    }
+
+    /// How many modes the basis has beside its normal modes, rigid motion removed, if no shape depends on others.
+    ///
+    /// `interfaces` is their number, `rigid` that of rigid motions.
+    pub fn static_shapes(self, interfaces: usize, rigid: usize) -> usize {
+        match self {
+            Self::FreeFree | Self::Clamped => 0,
+            Self::CraigBampton => (6 * interfaces).saturating_sub(rigid),
+            Self::Attachment | Self::Rubin | Self::Herting => 6 * interfaces,
+        }
     }
 }
 
@@ -69,6 +88,8 @@ impl fmt::Display for ComponentBasis {
             Self::Attachment => "attachment",
             Self::Rubin => "Rubin (residual flexibility)",
             Self::Herting => "Herting",
+            Self::FreeFree => "free-free",
+            Self::Clamped => "clamped",
         })
     }
 }

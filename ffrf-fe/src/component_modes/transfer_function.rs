@@ -4,6 +4,7 @@ use faer::Mat;
 
 use crate::{FeError, FeModel};
 
+use super::ComponentModeError;
 use super::compute::ComponentModes;
 use super::coordinates::Coordinates;
 use super::dynamic_stiffness::DynamicStiffness;
@@ -36,25 +37,49 @@ pub fn transfer_functions(
     modes: &ComponentModes,
     frequencies_hz: &[f64],
 ) -> Result<Vec<TransferPoint>, FeError> {
-    let coordinates = Coordinates::new(model, &modes.interfaces)?;
-    let motion = InterfaceMotion::new(&coordinates, &modes.interfaces)?;
+    let compared = compare_bases(model, &[modes], frequencies_hz)?;
+    Ok(compared.into_iter().flatten().collect())
+}
+
+/// Compares several bases of the same interfaces with the full model, which is solved once at each frequency.
+///
+/// One list for each basis, with one point for each frequency. Interfaces are those of the first.
+/// Errors: as [`transfer_functions`]; bases with other interfaces.
+pub fn compare_bases(
+    model: &FeModel,
+    bases: &[&ComponentModes],
+    frequencies_hz: &[f64],
+) -> Result<Vec<Vec<TransferPoint>>, FeError> {
+    let Some(first) = bases.first() else { return Ok(Vec::new()) };
+    if let Some(other) = bases.iter().find(|basis| basis.interfaces != first.interfaces) {
+        let names = |basis: &ComponentModes| -> Vec<String> {
+            basis.interfaces.iter().map(|interface| interface.name.clone()).collect()
+        };
+        return Err(ComponentModeError::OtherInterfaces { first: names(first), other: names(other) }.into());
+    }
+    let coordinates = Coordinates::new(model, &first.interfaces)?;
+    let motion = InterfaceMotion::new(&coordinates, &first.interfaces)?;
     let rigid = RigidMotion::new(&coordinates)?;
     let mut forces = motion.forces(&coordinates);
     rigid.balance(&mut forces);
     let stiffness = DynamicStiffness::new(&coordinates)?;
-    let scale = modes.report.compliance.iter().map(|x| x.sqrt().recip()).collect::<Vec<_>>();
+    let scale = first.report.compliance.iter().map(|x| x.sqrt().recip()).collect::<Vec<_>>();
     let scaled = |matrix: &Mat<f64>| {
         Mat::from_fn(scale.len(), scale.len(), |i, j| matrix[(i, j)] * scale[i] * scale[j])
     };
-    let compare = |&frequency_hz: &f64| {
+    let mut compared = vec![Vec::with_capacity(frequencies_hz.len()); bases.len()];
+    for &frequency_hz in frequencies_hz {
         let mut shapes = stiffness.solve(frequency_hz, forces.as_ref())?;
         rigid.remove_from(&mut shapes);
         let full = scaled(&motion.of(&coordinates, shapes.as_ref()));
-        let reduced = scaled(&modes.elastic_receptance(frequency_hz));
-        let error = (&full - &reduced).norm_l2() / full.norm_l2();
-        Ok(TransferPoint { frequency_hz, full: full.norm_l2(), reduced: reduced.norm_l2(), error })
-    };
-    frequencies_hz.iter().map(compare).collect()
+        for (points, modes) in compared.iter_mut().zip(bases) {
+            let reduced = scaled(&modes.elastic_receptance(frequency_hz));
+            let error = (&full - &reduced).norm_l2() / full.norm_l2();
+            let (full, reduced) = (full.norm_l2(), reduced.norm_l2());
+            points.push(TransferPoint { frequency_hz, full, reduced, error });
+        }
+    }
+    Ok(compared)
 }
 
 impl ComponentModes {

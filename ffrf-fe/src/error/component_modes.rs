@@ -200,6 +200,14 @@ pub enum ComponentModeError {
         /// The number.
         found: f64,
     },
+    /// Bases that cannot be compared.
+    #[error("bases of the same interfaces are expected, found those of {first:?} and of {other:?}")]
+    OtherInterfaces {
+        /// Interfaces of the first basis.
+        first: Vec<String>,
+        /// Those of another.
+        other: Vec<String>,
+    },
     /// An interface that no one defined.
     #[error("there is no interface `{interface}`: expected one of {known}")]
     UnknownInterface {

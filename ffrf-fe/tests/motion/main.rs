@@ -9,6 +9,7 @@ mod equivalence;
 mod load_stiffness;
 mod modes;
 mod oracle;
+mod rotating_beam;
 mod rotating_cantilever;
 mod tolerances;
 mod validity;

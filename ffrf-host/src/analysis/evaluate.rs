@@ -112,10 +112,8 @@ impl<'a> Point<'a> {
         let moved = state.clone();
         let mut evaluated = Constrained(mechanism).evaluate(time, state, None, |ports, storage| {
             let (place_rates, accelerations) = flatten(&mechanism.collect(ports, &increment));
-            let rows = || {
-                let joints = storage.rows.iter().zip(storage.ends.iter());
-                joints.flat_map(|(rows, ends)| rows.iter().map(move |row| (row, ends)))
-            };
+            let rows =
+                || storage.evaluated().flat_map(|joint| joint.rows.iter().map(move |row| (row, &joint.ends)));
             let mut outputs = Vec::new();
             for sensor in &self.sensors {
                 read_sensor(sensor, mechanism, ports, storage, &mut None, &mut outputs);

@@ -2,15 +2,13 @@
 
 use ffrf_codegen::mechanism::{JointTopology, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Assembly, AttachedRows, BodyPort, Connection, ImplicitTerms, JointFriction, KeptModes, Level, Plan, Port,
-    Regularisation, SoftLink, Storage, Treatment,
+    Assembly, AttachedRows, BodyPort, Connection, Energy, ImplicitTerms, JointFriction, KeptModes, Level,
+    Momentum, Plan, Port, Regularisation, SoftLink, Storage, Treatment,
 };
-use ffrf_runtime::relations::Rows;
 use ffrf_runtime::{
-    FlexibleBody, Forcing, Increment, LocalError, Marker, MarkerMotion, ModalVector, Oscillators, State,
-    Tolerances,
+    FlexibleBody, Forcing, Increment, LocalError, Marker, ModalVector, Oscillators, State, Tolerances,
 };
-use nalgebra::{RealField, UnitQuaternion, Vector3, convert, try_convert};
+use nalgebra::{RealField, Vector3, convert, try_convert};
 
 use super::plan::{OwnedPlan, keeping};
 use super::ports::HostPorts;
@@ -62,6 +60,7 @@ impl HostMechanism {
     ) -> Result<Self, TopologyError> {
         let shape = |joint: &Connection<f64>| JointTopology {
             rows: joint.kind.row_count(),
+            holds_point: joint.kind.holds_point(),
             ends: [joint.first.body, joint.second.body],
         };
         let modes: Vec<usize> = bodies.iter().map(|(body, _)| body.mode_count()).collect();
@@ -163,7 +162,7 @@ impl<T: RealField + Copy> HostMechanism<T> {
             .filter_map(|(number, element)| {
                 let rows = element.kind.soft_row_count()?;
                 let ends = [element.first.body, element.second.body];
-                (ends[0] != ends[1]).then_some((number, JointTopology { rows, ends }))
+                (ends[0] != ends[1]).then_some((number, JointTopology { rows, holds_point: false, ends }))
             })
             .unzip();
         let whole = self.topology.with_soft_links(links);
@@ -347,19 +346,29 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
             _ => (&self.plan, 0),
         };
         let joints = self.connections.len() + links;
-        let still = MarkerMotion::fixed(Vector3::zeros(), UnitQuaternion::identity());
         let unknowns = || vec![[T::zero(); 6]; plan.node_count];
         use_it(&mut Storage {
-            blocks: &mut vec![[[T::zero(); 6]; 6]; plan.block_count],
+            blocks: &mut vec![None; plan.block_count],
             solution: &mut unknowns(),
             right: &mut unknowns(),
             shift: &mut unknowns(),
             efforts: &mut vec![T::zero(); self.frictions.len()],
-            rows: &mut vec![Rows::none(); joints],
-            ends: &mut vec![[still; 2]; joints],
+            joints: &mut vec![None; joints],
             soft_markers: &mut vec![[0; 2]; links],
-            used: false,
         })
+    }
+
+    fn energy(&self, state: &Self::State) -> Energy<T> {
+        let mut sum = Energy::of(self.bodies.iter().zip(state), &self.gravity);
+        if !self.elements.is_empty() {
+            let ports = self.ports(state.clone(), None);
+            self.elements.iter().for_each(|element| sum.potential += element.energy(&ports));
+        }
+        sum
+    }
+
+    fn momentum(&self, state: &Self::State) -> Momentum<T> {
+        Momentum::of(self.bodies.iter().zip(state))
     }
 
     fn plan(&self) -> Plan<'_> {

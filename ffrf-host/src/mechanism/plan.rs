@@ -1,6 +1,6 @@
 //! The generator's plan of a mechanism in the runtime's types.
 
-use ffrf_codegen::mechanism::{BlockPlace, Hub, MechanismPlan, Topology, TopologyError};
+use ffrf_codegen::mechanism::{BlockPlace, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
     Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, ModalEndPlace, ModalPairPlace, ModesPlace,
     Plan, PlanLists, SharedPlace, Step, Unexpanded, keeps_modes,
@@ -12,11 +12,7 @@ pub(super) fn keeping(topology: &Topology, modes: &[usize]) -> (Vec<usize>, Vec<
     let rows: Vec<usize> = hubs.iter().map(|hub| hub.rows).collect();
     let (bodies, counts): (Vec<usize>, Vec<usize>) =
         hubs.iter().map(|hub| (hub.body, modes[hub.body])).unzip();
-    if hubs.iter().any(Hub::always_keeps) || keeps_modes(&rows, &counts) {
-        (bodies, counts)
-    } else {
-        (Vec::new(), Vec::new())
-    }
+    if keeps_modes(&rows, &counts) { (bodies, counts) } else { (Vec::new(), Vec::new()) }
 }
 
 /// A plan that owns its lists.
@@ -52,7 +48,7 @@ impl OwnedPlan {
             Step { size: 1, node: 0, diagonal: 0, is_diagonal: false, couplings: 0, targets: 0 };
             sizes.nodes
         ];
-        plan.couplings = vec![Coupling { size: 1, node: 0 }; sizes.couplings];
+        plan.couplings = vec![Coupling { size: 1, node: 0, holds_point: false }; sizes.couplings];
         plan.targets = vec![0; sizes.targets];
         plan.modes = vec![ModesPlace { body: 0, first: 0, node: 0, diagonal: 0, frame: block }; sizes.modes];
         plan.modal_ends = vec![ModalEndPlace { body: 0, slot: 0, first: 0, block }; sizes.modal_ends];
@@ -93,7 +89,11 @@ impl OwnedPlan {
             couplings: plan
                 .couplings
                 .iter()
-                .map(|coupling| Coupling { size: coupling.size, node: coupling.node })
+                .map(|coupling| Coupling {
+                    size: coupling.size,
+                    node: coupling.node,
+                    holds_point: coupling.holds_point,
+                })
                 .collect(),
             targets: plan.targets.clone(),
             bodies: plan
@@ -173,6 +173,7 @@ impl OwnedPlan {
                 leading: self.leading,
                 couplings: &self.couplings,
                 targets: &self.targets,
+                of_instant: true,
             },
             bodies: &self.bodies,
             joints: &self.joints,

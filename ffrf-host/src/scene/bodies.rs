@@ -7,9 +7,9 @@ use ffrf_model::ReducedBody;
 use ffrf_runtime::{FlexibleBody, State, rotation};
 use nalgebra::{DVector, Matrix3, Vector3};
 
-use super::SceneError;
 use super::file::{BodyTable, FidelityValue};
 use super::names::NamedBody;
+use super::{SceneError, SceneModel};
 use crate::{HostBody, HostModal};
 
 /// The body of a table, with its model file looked for in `folder`, and its initial state.
@@ -60,6 +60,7 @@ fn flexible(name: &str, key: &str, table: &BodyTable, path: &Path) -> Result<Nam
     Ok(NamedBody {
         name: name.to_owned(),
         body: HostBody::new(&model, &fidelity),
+        model: Some(SceneModel { model: model.clone(), fidelity }),
         marker_names: model.markers.iter().map(|marker| marker.name.clone()).collect(),
         markers: HostBody::markers(&model),
         stress_markers: {
@@ -122,6 +123,7 @@ fn rigid(name: &str, key: &str, table: &BodyTable, mass: f64) -> Result<NamedBod
         marker_names: table.markers.keys().cloned().collect(),
         markers,
         stress_markers: Vec::new(),
+        model: None,
         body,
     })
 }

@@ -12,7 +12,7 @@ use super::file::SceneFile;
 use super::names::NamedBody;
 use super::sensors::{Sensor, sensor};
 use super::settings::{Coordinates, Integrator};
-use super::{SceneError, SceneEvent, Settings, bodies, events, forces, joints};
+use super::{SceneError, SceneEvent, SceneModel, Settings, bodies, events, forces, joints};
 use crate::HostModal;
 use crate::mechanism::{Drive, HostMechanism, JointCoordinates, TreeError};
 
@@ -22,6 +22,8 @@ pub struct Scene {
     pub mechanism: HostMechanism,
     /// Its state at time zero, as the file has it.
     pub initial: Vec<State<HostModal>>,
+    /// What each flexible body was read from.
+    pub models: Vec<Option<SceneModel>>,
     /// Names of the bodies.
     pub body_names: Vec<String>,
     /// Names of the markers of each body; joints and others have markers without a name after them.
@@ -113,6 +115,7 @@ impl Scene {
         let surfaces = file.bodies.iter().map(|(_, table)| table.surface.clone()).collect();
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
         let marker_names = named.iter().map(|body| body.marker_names.clone()).collect();
+        let models = named.iter().map(|body| body.model.clone()).collect();
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
@@ -122,6 +125,7 @@ impl Scene {
         let scene = Self {
             mechanism,
             initial: states,
+            models,
             body_names,
             marker_names,
             connection_names,

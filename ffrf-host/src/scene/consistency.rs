@@ -1,6 +1,6 @@
 //! Whether positions, velocities and accelerations of a state can all meet the joints.
 
-use ffrf_runtime::mechanism::{Assembly, Constrained, Ports};
+use ffrf_runtime::mechanism::{Assembly, Constrained, EvaluatedJoint, Ports};
 use ffrf_runtime::{State, StepError};
 use nalgebra::Vector3;
 
@@ -24,9 +24,9 @@ pub fn residuals(
     state: &[State<HostModal>],
 ) -> Result<Vec<Residuals>, StepError> {
     Constrained(mechanism).evaluate(time, state.to_vec(), None, |ports, storage| {
-        let joints = mechanism.connections().iter().zip(storage.rows.iter().zip(storage.ends.iter()));
+        let joints = mechanism.connections().iter().zip(storage.evaluated());
         joints
-            .map(|(connection, (rows, [first, second]))| {
+            .map(|(connection, EvaluatedJoint { rows, ends: [first, second] })| {
                 let accelerations = [&connection.first, &connection.second].map(|end| {
                     let port = end.body.and_then(|body| ports.port(body));
                     port.map_or([Vector3::zeros(); 2], |port| port.resulting_twist(end.marker))

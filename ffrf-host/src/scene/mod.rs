@@ -10,7 +10,9 @@ pub mod file;
 mod forces;
 mod joints;
 mod lines;
+mod mechanism_model;
 mod names;
+mod scene_model;
 mod sensors;
 mod settings;
 
@@ -19,5 +21,6 @@ pub use consistency::{Residuals, residuals};
 pub use error::SceneError;
 pub use events::{Direction, SceneEvent};
 pub use lines::Lines;
+pub use scene_model::SceneModel;
 pub use sensors::{Sensor, SensorKind};
 pub use settings::{Coordinates, Integrator, Settings, StepChoice};

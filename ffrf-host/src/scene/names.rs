@@ -4,8 +4,8 @@ use ffrf_runtime::mechanism::Attachment;
 use ffrf_runtime::{FlexibleBody, Marker, StressMarker};
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::SceneError;
 use super::file::Vector;
+use super::{SceneError, SceneModel};
 use crate::{HostBody, HostModal};
 
 /// A body of the scene while it is composed: markers can be added.
@@ -13,6 +13,8 @@ use crate::{HostBody, HostModal};
 pub(super) struct NamedBody {
     pub(super) name: String,
     pub(super) body: HostBody,
+    /// What it was read from.
+    pub(super) model: Option<SceneModel>,
     pub(super) marker_names: Vec<String>,
     /// The named ones first, then those that joints and sensors ask for.
     pub(super) markers: Vec<Marker<HostModal, f64>>,

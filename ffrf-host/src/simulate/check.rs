@@ -37,14 +37,11 @@ pub fn check(scene: &Scene) -> Result<SceneCheck, SimulationError> {
     let mechanism = &scene.mechanism;
     let joints = |state: &[State<HostModal>]| {
         Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage| {
-            let joints = storage.rows.iter().zip(storage.ends.iter());
-            joints
-                .map(|(rows, [first, second])| {
-                    rows.iter().fold([0.0_f64; 2], |largest, row| {
-                        [
-                            largest[0].max(row.residual.abs()),
-                            largest[1].max(row.velocity(first, second).abs()),
-                        ]
+            storage
+                .evaluated()
+                .map(|joint| {
+                    joint.residuals().fold([0.0_f64; 2], |largest, [position, velocity]| {
+                        [largest[0].max(position.abs()), largest[1].max(velocity.abs())]
                     })
                 })
                 .collect::<Vec<_>>()
@@ -100,8 +97,10 @@ fn gradients(
         .collect();
     Constrained(mechanism).evaluate(0.0, state.to_vec(), None, |_, storage| {
         let (mut gradients, mut names) = (Vec::new(), Vec::new());
-        for (index, connection) in mechanism.connections().iter().enumerate() {
-            for (k, row) in storage.rows[index].iter().enumerate() {
+        for (index, (connection, joint)) in
+            mechanism.connections().iter().zip(storage.evaluated()).enumerate()
+        {
+            for (k, row) in joint.rows.iter().enumerate() {
                 let mut gradient = DVector::zeros(total);
                 let ends = [(&connection.first, &row.first), (&connection.second, &row.second)];
                 for (attachment, wrench) in ends {

@@ -146,6 +146,10 @@ pub(super) fn reason(scene: &Scene, error: StepError) -> String {
                 "joint `{name}` is off by {residual:.3e} (m or rad) and cannot be met again: reduce the step{limit}"
             )
         }
+        StepError::BodyNotPositive { body, .. } => {
+            let name = scene.body_names.get(body).map_or("?", String::as_str);
+            error.to_string().replacen(&format!("body {body} "), &format!("body `{name}` "), 1)
+        }
         other => other.to_string(),
     }
 }

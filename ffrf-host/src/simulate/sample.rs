@@ -1,7 +1,9 @@
 //! What a simulation shows at one time: the columns of its output.
 
 use ffrf_runtime::forces::relative_angle;
-use ffrf_runtime::mechanism::{Assembly, Constrained, Storage, acceleration, reaction as reaction_of_one};
+use ffrf_runtime::mechanism::{
+    Assembly, Constrained, EvaluatedJoint, Storage, acceleration, reaction as reaction_of_one,
+};
 use ffrf_runtime::{Observables, State, StepError, rotation, von_mises};
 use nalgebra::{RealField, Vector3, convert};
 
@@ -91,8 +93,9 @@ pub(crate) fn read<T: RealField + Copy>(
             values.extend(rotation::euler_parameters(&at.cast().motion(ports).orientation))
         }
         SensorKind::Angle(joint) => {
-            let [first, second] = &storage.ends[*joint];
-            let now = relative_angle(first, second);
+            let now = storage.joints[*joint]
+                .as_ref()
+                .map_or_else(T::zero, |joint| relative_angle(&joint.ends[0], &joint.ends[1]));
             let turn = T::two_pi();
             let continued = angle.map_or(now, |before| now + turn * ((before - now) / turn).round());
             *angle = Some(continued);
@@ -158,11 +161,9 @@ pub(crate) fn total_energy(
 /// Largest residual of positions and velocities.
 fn residuals(storage: &Storage<'_, f64>) -> [f64; 2] {
     let mut largest = [0.0_f64; 2];
-    for (rows, [first, second]) in storage.rows.iter().zip(storage.ends.iter()) {
-        for row in rows.iter() {
-            largest[0] = largest[0].max(row.residual.abs());
-            largest[1] = largest[1].max(row.velocity(first, second).abs());
-        }
+    for [position, velocity] in storage.evaluated().flat_map(EvaluatedJoint::residuals) {
+        largest[0] = largest[0].max(position.abs());
+        largest[1] = largest[1].max(velocity.abs());
     }
     largest
 }

@@ -9,7 +9,7 @@
 
 use ffrf_host::HostModal;
 use ffrf_host::mechanism::HostIncrement;
-use ffrf_runtime::mechanism::{Assembly, Constrained, ImplicitTerms};
+use ffrf_runtime::mechanism::{Assembly, Constrained, EvaluatedJoint, ImplicitTerms};
 use ffrf_runtime::{GeneralisedForce, Motion, PlacedMarker, State};
 use nalgebra::{DMatrix, DVector};
 
@@ -51,8 +51,10 @@ pub fn evaluate(case: &Case, states: &[State<HostModal>], time: f64, stage: Stag
         let (mut bias, mut multipliers) = (Vec::new(), Vec::new());
         for (joint, connection) in mechanism.connections().iter().enumerate() {
             starts.push(gradients.len());
-            let [first, second] = &storage.ends[joint];
-            for (k, row) in storage.rows[joint].iter().enumerate() {
+            let Some(EvaluatedJoint { rows, ends: [first, second] }) = &storage.joints[joint] else {
+                continue;
+            };
+            for (k, row) in rows.iter().enumerate() {
                 let mut gradient = DVector::zeros(total);
                 for (end, wrench) in [(&connection.first, &row.first), (&connection.second, &row.second)] {
                     let Some(body) = end.body else { continue };

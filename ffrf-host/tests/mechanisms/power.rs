@@ -166,14 +166,14 @@ fn on_second(case: &Case, found: &Evaluation) -> (Vector3<f64>, Wrench) {
     let system = Constrained(&case.mechanism);
     let summed = system.evaluate(TIME, case.states.clone(), None, |_, storage| {
         let mut sum = Wrench::zero();
-        for (joint, rows) in storage.rows.iter().enumerate() {
-            for (k, row) in rows.iter().enumerate() {
+        for (joint, evaluated) in storage.evaluated().enumerate() {
+            for (k, row) in evaluated.rows.iter().enumerate() {
                 let multiplier = found.multipliers[found.starts[joint] + k];
                 sum.force += row.second.force * multiplier;
                 sum.moment += row.second.moment * multiplier;
             }
         }
-        (storage.ends[0][0].orientation * Vector3::z(), sum)
+        (storage.joints[0].unwrap().ends[0].orientation * Vector3::z(), sum)
     });
     summed.unwrap()
 }

@@ -1,7 +1,7 @@
 //! Redundant rows: the accelerations are those of a dense solve, the reactions those of least norm.
 //!
-//! The norm is Σ d λ², where d is the compliance that a row meets at the frames of its bodies and in their modes, which
-//! makes forces and moments comparable. So joints that are declared twice share the reaction half and half.
+//! The norm is Σ d λ², where d is the compliance that a row meets at its rigid bodies, and at the frames of flexible ones and
+//! in their modes, which makes forces and moments comparable. So joints that are declared twice share the reaction half and half.
 
 use ffrf_runtime::joints::{
     Cylindrical, Fixed, InLine, InPlane, JointKind, Planar, Prismatic, Revolute, Spherical,
@@ -39,7 +39,7 @@ fn expected(case: &Case, found: &Evaluation) -> (DVector<f64>, DVector<f64>, usi
     (accelerations, multipliers, rank)
 }
 
-/// d of each row: the modes' compliance, and that of the frames' diagonal with the modes eliminated.
+/// d of each row: the compliance of rigid bodies; that of the modes, and that of the frames' diagonal with the modes eliminated.
 fn row_metric(case: &Case, mass: &DMatrix<f64>, gradients: &DMatrix<f64>) -> DVector<f64> {
     let offsets = offsets(&case.states);
     DVector::from_fn(gradients.nrows(), |row, _| {
@@ -47,13 +47,13 @@ fn row_metric(case: &Case, mass: &DMatrix<f64>, gradients: &DMatrix<f64>) -> DVe
             let (start, modes) = (bounds[0], bounds[1] - bounds[0] - 6);
             let gradient = gradients.row(row).columns(start, 6 + modes).transpose();
             let own = mass.view((start, start), (6 + modes, 6 + modes));
+            if modes == 0 {
+                return sum + gradient.dot(&own.clone_owned().cholesky().unwrap().solve(&gradient));
+            }
             let coupling = own.view((0, 6), (6, modes));
-            let (follow, modal) = if modes == 0 {
-                (DMatrix::zeros(0, 6), DVector::zeros(0))
-            } else {
-                let factors = own.view((6, 6), (modes, modes)).clone_owned().cholesky().unwrap();
-                (factors.solve(&coupling.transpose()), factors.solve(&gradient.rows(6, modes).clone_owned()))
-            };
+            let factors = own.view((6, 6), (modes, modes)).clone_owned().cholesky().unwrap();
+            let follow = factors.solve(&coupling.transpose());
+            let modal = factors.solve(&gradient.rows(6, modes).clone_owned());
             let rigid = own.view((0, 0), (6, 6)) - coupling * &follow;
             let effect = gradient.rows(0, 6) - follow.transpose() * gradient.rows(6, modes);
             let frames: f64 = (0..6).map(|i| effect[i] * effect[i] / rigid[(i, i)]).sum();

@@ -68,6 +68,15 @@ impl Body {
         self.count.unwrap_or(1)
     }
 
+    /// The name of each.
+    pub(super) fn names(&self) -> Vec<String> {
+        let name = &self.name;
+        match self.count {
+            None => vec![name.to_string()],
+            Some(count) => (0..count).map(|index| format!("{name}[{index}]")).collect(),
+        }
+    }
+
     /// Whether joints on it are coupled through modes.
     pub(super) fn is_flexible(&self) -> bool {
         matches!(self.nature, Nature::Flexible(_))

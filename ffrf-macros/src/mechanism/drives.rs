@@ -36,6 +36,7 @@ impl Drive {
         let [first, second] = &self.of.of(joints).ends;
         self.of.elements.iter().map(move |element| JointTopology {
             rows: 1,
+            holds_point: false,
             ends: [first.body(*element), second.body(*element)],
         })
     }

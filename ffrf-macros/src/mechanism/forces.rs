@@ -62,7 +62,7 @@ impl Force {
     pub(super) fn soft_links(&self) -> Vec<JointTopology> {
         match (&self.nature, self.soft_row_count()) {
             (Nature::Element { bodies, .. }, Some(rows)) => {
-                bodies.iter().map(|ends| JointTopology { rows, ends: *ends }).collect()
+                bodies.iter().map(|ends| JointTopology { rows, holds_point: false, ends: *ends }).collect()
             }
             _ => Vec::new(),
         }

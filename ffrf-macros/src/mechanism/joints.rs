@@ -35,8 +35,11 @@ impl Joint {
 
     /// What the order of elimination must know of each.
     pub(super) fn topology(&self) -> impl Iterator<Item = JointTopology> + '_ {
-        (0..self.len())
-            .map(|k| JointTopology { rows: self.rows, ends: [self.ends[0].body(k), self.ends[1].body(k)] })
+        (0..self.len()).map(|k| JointTopology {
+            rows: self.rows,
+            holds_point: self.known.holds_point,
+            ends: [self.ends[0].body(k), self.ends[1].body(k)],
+        })
     }
 
     /// The name of each.

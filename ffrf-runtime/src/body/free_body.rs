@@ -6,7 +6,7 @@ use super::{
     FlexibleBody, FreeSystem, GeneralisedForce, Load, Marker, MarkerMotion, Motion, Observables,
     PlacedMarker, State,
 };
-use crate::integrators::{StepError, StepReport, step_linearly_implicit, step_rk4};
+use crate::integrators::{StepError, StepReport, advance_linearly_implicit, advance_rk4};
 
 /// A flexible body without joints, its state and its time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,7 +63,7 @@ impl<B: FlexibleBody<T>, T: RealField + Copy> FreeBody<B, T> {
         self
     }
 
-    /// Advances by one explicit step of order 4, see [`step_rk4`].
+    /// Advances by one explicit step of order 4, see [`step_rk4`](crate::step_rk4).
     ///
     /// Units: `step` s. Errors: see [`StepError`]; state and time are then unchanged.
     pub fn step_rk4<L>(&mut self, step: T, load: &L) -> Result<StepReport<T>, StepError>
@@ -71,13 +71,12 @@ impl<B: FlexibleBody<T>, T: RealField + Copy> FreeBody<B, T> {
         L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
     {
         let system = FreeSystem { body: &self.body, load };
-        let (state, report) = step_rk4(&system, &self.state, self.time, step)?;
-        self.state = state;
+        let report = advance_rk4(&system, &mut self.state, self.time, step)?;
         self.time += step;
         Ok(report)
     }
 
-    /// Advances by one linearly implicit step of order 2, see [`step_linearly_implicit`].
+    /// Advances by one linearly implicit step of order 2, see [`step_linearly_implicit`](crate::step_linearly_implicit).
     ///
     /// Units: `step` s. Errors: see [`StepError`]; state and time are then unchanged.
     pub fn step_linearly_implicit<L>(&mut self, step: T, load: &L) -> Result<StepReport<T>, StepError>
@@ -85,8 +84,7 @@ impl<B: FlexibleBody<T>, T: RealField + Copy> FreeBody<B, T> {
         L: Load<B, State<B::Modal, T>, GeneralisedForce<B::Modal, T>, T>,
     {
         let system = FreeSystem { body: &self.body, load };
-        let (state, report) = step_linearly_implicit(&system, &self.state, self.time, step)?;
-        self.state = state;
+        let report = advance_linearly_implicit(&system, &mut self.state, self.time, step)?;
         self.time += step;
         Ok(report)
     }

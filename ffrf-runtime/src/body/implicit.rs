@@ -25,6 +25,8 @@ pub(crate) fn implicit_modal_mass<B: FlexibleBody<T>, T: RealField + Copy>(
 
 impl<V: ModalVector<T>, T: RealField + Copy> ImplicitBody<V, T> {
     /// `None` if the modal mass with the implicit terms is not positive definite.
+    // inlined, so that it is made where it stays
+    #[inline(always)]
     pub(crate) fn new<B>(body: &B, state: &State<V, T>, gamma_h: T) -> Option<Self>
     where
         B: FlexibleBody<T, Modal = V>,
@@ -45,16 +47,28 @@ impl<V: ModalVector<T>, T: RealField + Copy> ImplicitBody<V, T> {
     where
         B: FlexibleBody<T, Modal = V>,
     {
-        let mut right = self.prepared.net_force(force);
-        let mut moved = state.modal_rates.clone();
-        if let Some(subtracted) = subtracted {
-            let motion = subtracted.velocities(state);
-            right.add_scaled(-T::one(), &self.prepared.mass_times(&body.modal_mass(), &motion));
-            moved.add_scaled(-T::one(), &subtracted.modal_coordinates);
-        }
-        right.modal.add_scaled(-self.gamma_h, &body.stiffness().product(&moved));
-        right
+        right(&self.prepared, body, state, force, self.gamma_h, subtracted)
     }
+}
+
+/// See [`ImplicitBody::right`].
+fn right<B: FlexibleBody<T>, T: RealField + Copy>(
+    prepared: &Prepared<B::Modal, T>,
+    body: &B,
+    state: &State<B::Modal, T>,
+    force: &GeneralisedForce<B::Modal, T>,
+    gamma_h: T,
+    subtracted: Option<&Increment<B::Modal, T>>,
+) -> GeneralisedForce<B::Modal, T> {
+    let mut right = prepared.net_force(force);
+    let mut moved = state.modal_rates.clone();
+    if let Some(subtracted) = subtracted {
+        let motion = subtracted.velocities(state);
+        right.add_scaled(-T::one(), &prepared.mass_times(&body.modal_mass(), &motion));
+        moved.add_scaled(-T::one(), &subtracted.modal_coordinates);
+    }
+    right.modal.add_scaled(-gamma_h, &body.stiffness().product(&moved));
+    right
 }
 
 impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
@@ -111,9 +125,10 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
         gamma_h: T,
         subtracted: Option<&Self>,
     ) -> Option<Self> {
-        let stage = ImplicitBody::new(body, state, gamma_h)?;
-        let right = stage.right(body, state, force, subtracted);
-        let accelerations = stage.eliminated.factor()?.solve(&right);
+        let State { modal_coordinates, angular_velocity, modal_rates, .. } = state;
+        let prepared = body.prepare(modal_coordinates, angular_velocity, modal_rates);
+        let right = right(&prepared, body, state, force, gamma_h, subtracted);
+        let accelerations = prepared.eliminate(implicit_modal_mass(body, gamma_h).factor()?).solve(&right)?;
         Some(self.implicit_rate(state, accelerations, gamma_h, subtracted))
     }
 }

@@ -115,14 +115,20 @@ impl<V: ModalVector<T>, T: RealField + Copy> State<V, T> {
     /// The state that an increment leads to.
     #[inline]
     pub fn retract(&self, increment: &Increment<V, T>) -> Self {
-        let mut state = self.clone();
-        state.position += increment.position;
-        state.orientation = turned(&self.orientation, &increment.rotation);
-        state.modal_coordinates.add_scaled(T::one(), &increment.modal_coordinates);
-        state.velocity += increment.velocity;
-        state.angular_velocity += increment.angular_velocity;
-        state.modal_rates.add_scaled(T::one(), &increment.modal_rates);
-        state
+        // number by number: a copy of the whole to change would be made in memory
+        let plus = |vector: &V, change: &V| {
+            let mut sum = vector.clone();
+            sum.add_scaled(T::one(), change);
+            sum
+        };
+        Self {
+            position: self.position + increment.position,
+            orientation: turned(&self.orientation, &increment.rotation),
+            modal_coordinates: plus(&self.modal_coordinates, &increment.modal_coordinates),
+            velocity: self.velocity + increment.velocity,
+            angular_velocity: self.angular_velocity + increment.angular_velocity,
+            modal_rates: plus(&self.modal_rates, &increment.modal_rates),
+        }
     }
 }
 

@@ -35,16 +35,19 @@ impl<V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'_, V, T> {
                 *place = sum;
             }
         }
-        let [mut about_x, mut about_y, mut about_z] = moment;
-        let (arm, [x, y, z]) = (&self.arm, &force);
-        add_scaled(&mut about_x, arm.y, z);
-        subtract_scaled(&mut about_x, arm.z, y);
-        add_scaled(&mut about_y, arm.z, x);
-        subtract_scaled(&mut about_y, arm.x, z);
-        add_scaled(&mut about_z, arm.x, y);
-        subtract_scaled(&mut about_z, arm.y, x);
-        let [x, y, z] = force;
-        *rigid = [x, y, z, about_x, about_y, about_z];
+        // row by row where they stay
+        let [x, y, z, about_x, about_y, about_z] = rigid;
+        [*x, *y, *z] = force;
+        let arm = &self.arm;
+        let about = |place: &mut [T; 6], own: &[T; 6], more: (T, &[T; 6]), less: (T, &[T; 6])| {
+            let mut sum = *own;
+            add_scaled(&mut sum, more.0, more.1);
+            subtract_scaled(&mut sum, less.0, less.1);
+            *place = sum;
+        };
+        about(about_x, &moment[0], (arm.y, z), (arm.z, y));
+        about(about_y, &moment[1], (arm.z, x), (arm.x, z));
+        about(about_z, &moment[2], (arm.x, y), (arm.y, x));
     }
 
     /// Components of six inertial vectors in the body frame.

@@ -150,6 +150,13 @@ impl<V: ModalVector<T>, T: RealField + Copy> Eliminated<V, T> {
         Some(Factored { eliminated: self, rigid })
     }
 
+    /// The solution of M(q) w = `right`, or `None` if M is not positive definite: for a single right-hand side.
+    pub(crate) fn solve(&self, right: &GeneralisedForce<V, T>) -> Option<Motion<V, T>> {
+        let mut rigid = self.reduced_force(right);
+        Cholesky::new(self.remaining)?.solve_mut(&mut rigid);
+        Some(self.with_modes(&rigid, self.modal.solve(&right.modal)))
+    }
+
     /// The force on the frame when the modes move freely under their part of `force`. Shape: 6.
     pub fn reduced_force(&self, force: &GeneralisedForce<V, T>) -> Vector6<T> {
         let [x, y, z] = force.force.into();

@@ -35,7 +35,7 @@
 
 use nalgebra::RealField;
 
-use super::system::{begin, finish, stage};
+use super::system::{arrive, begin, stage};
 use super::{StepError, StepReport, StiffSystem, VectorSpace};
 
 /// One step of ROS2 with the modal stiffness and damping implicit: order 2, stable for any h ω_max.
@@ -51,6 +51,18 @@ pub fn step_linearly_implicit<S: StiffSystem<T>, T: RealField + Copy>(
     time: T,
     step: T,
 ) -> Result<(S::State, StepReport<T>), StepError> {
+    let mut next = state.clone();
+    let report = advance_linearly_implicit(system, &mut next, time, step)?;
+    Ok((next, report))
+}
+
+/// [`step_linearly_implicit`] that changes `state` where it is: nothing large is handed over by value. Errors leave it as it was.
+pub(crate) fn advance_linearly_implicit<S: StiffSystem<T>, T: RealField + Copy>(
+    system: &S,
+    state: &mut S::State,
+    time: T,
+    step: T,
+) -> Result<StepReport<T>, StepError> {
     let h = begin(system, state, step)?;
     let half: T = nalgebra::convert(0.5);
     let two: T = nalgebra::convert(2.0);
@@ -70,5 +82,5 @@ pub fn step_linearly_implicit<S: StiffSystem<T>, T: RealField + Copy>(
     slope.add_scaled(h * half, &k2);
     let mut error = slope.clone();
     error.add_scaled(-T::one(), &whole);
-    finish(system, time + h, state, &slope, &error, Some(gamma_h))
+    arrive(system, time + h, state, &slope, &error, Some(gamma_h))
 }

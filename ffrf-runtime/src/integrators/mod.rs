@@ -29,4 +29,6 @@ pub use system::{ConservingSystem, Correction, ImplicitSystem, StiffSystem, Syst
 
 pub use watched::Watched;
 
+pub(crate) use linearly_implicit::advance_linearly_implicit;
+pub(crate) use runge_kutta::advance_rk4;
 pub(crate) use system::{displaced, elastic_at_rest, too_large};

@@ -93,6 +93,14 @@ pub enum StepError {
     /// The mass matrix, with the implicit terms, is not positive definite: invariants are unphysical, beyond what the number
     /// type resolves, or the state before the step is already absurd.
     MassNotPositive,
+    /// The mass matrix of one body of a mechanism, with the implicit terms, is not positive definite: what
+    /// [`MassNotPositive`](Self::MassNotPositive) says, and of whom.
+    BodyNotPositive {
+        /// The body, counted from zero.
+        body: usize,
+        /// Its largest modal coordinate; zero for rigid bodies. Units: those of the modes.
+        amplitude: f64,
+    },
     /// The equations of an implicit step were not solved within the iterations that it is allowed.
     NotConverged {
         /// Iterations done.
@@ -142,6 +150,12 @@ impl fmt::Display for StepError {
             Self::MassNotPositive => formatter.write_str(
                 "the mass matrix is not positive definite: no body has these invariants, the number type does not resolve them, \
                  or the deformation has grown absurd (explicit steps that are too large)",
+            ),
+            Self::BodyNotPositive { body, amplitude } => write!(
+                formatter,
+                "the mass matrix of body {body} is not positive definite at modal coordinates of up to {amplitude:.3e}: no body has \
+                 these invariants, the number type does not resolve them, or the deformation has grown absurd (explicit steps that \
+                 are too large)"
             ),
             Self::NotConverged { iterations, residual } => write!(
                 formatter,

@@ -229,7 +229,9 @@ pub(super) fn stage<S: System<T>, T: RealField + Copy, R>(
     found: Result<R, StepError>,
 ) -> Result<R, StepError> {
     match found {
-        Err(StepError::MassNotPositive) => Err(refusal(system, time, state, implicit)),
+        Err(StepError::MassNotPositive | StepError::BodyNotPositive { .. }) => {
+            Err(refusal(system, time, state, implicit))
+        }
         found => found,
     }
 }
@@ -243,15 +245,29 @@ pub(super) fn finish<S: System<T>, T: RealField + Copy>(
     error: &S::Increment,
     gamma_h: Option<T>,
 ) -> Result<(S::State, super::StepReport<T>), StepError> {
-    let refused = || refusal(system, time, origin, gamma_h.is_some());
-    let state = system.retract(origin, slope);
-    if !system.is_finite(&state) {
-        return Err(refused());
+    let mut state = origin.clone();
+    let report = arrive(system, time, &mut state, slope, error, gamma_h)?;
+    Ok((state, report))
+}
+
+/// [`finish`] that changes `state`, the one before the step, where it is. Errors leave it as it was.
+pub(super) fn arrive<S: System<T>, T: RealField + Copy>(
+    system: &S,
+    time: T,
+    state: &mut S::State,
+    slope: &S::Increment,
+    error: &S::Increment,
+    gamma_h: Option<T>,
+) -> Result<super::StepReport<T>, StepError> {
+    let next = system.retract(state, slope);
+    if !system.is_finite(&next) {
+        return Err(refusal(system, time, state, gamma_h.is_some()));
     }
-    let (state, drift) = system.settle(time, state, gamma_h)?;
-    if !system.is_finite(&state) {
-        return Err(refused());
+    let (next, drift) = system.settle(time, next, gamma_h)?;
+    if !system.is_finite(&next) {
+        return Err(refusal(system, time, state, gamma_h.is_some()));
     }
-    let (local_error, departure) = (system.local_error(error), system.departure(&state));
-    Ok((state, super::StepReport { local_error, drift, iterations: 0, departure }))
+    let (local_error, departure) = (system.local_error(error), system.departure(&next));
+    *state = next;
+    Ok(super::StepReport { local_error, drift, iterations: 0, departure })
 }

@@ -65,6 +65,11 @@ impl<T: RealField + Copy> JointKind<T> {
         }
     }
 
+    /// Whether its first three rows keep both origins together, in inertial components.
+    pub fn holds_point(&self) -> bool {
+        matches!(self, Self::Fixed(_) | Self::Revolute(_) | Self::Spherical(_) | Self::Universal(_))
+    }
+
     /// What row `row` holds, for reports.
     pub fn row_name(&self, row: usize) -> &'static str {
         let names = match self {

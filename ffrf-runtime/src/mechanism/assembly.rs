@@ -3,7 +3,8 @@
 use nalgebra::RealField;
 
 use super::{
-    Connection, ImplicitTerms, JointFriction, Level, Plan, Ports, Regularisation, SoftLink, Storage, Target,
+    Connection, Energy, ImplicitTerms, JointFriction, Level, Momentum, Plan, Ports, Regularisation, SoftLink,
+    Storage, Target,
 };
 use crate::integrators::{Forcing, LocalError, Tolerances, VectorSpace};
 
@@ -110,6 +111,10 @@ pub trait Assembly<T: RealField + Copy> {
     /// How redundant rows are dealt with.
     fn regularisation(&self) -> Regularisation<T>;
 
+    /// Energy in `state`; that of forces of the user's own is not known.
+    fn energy(&self, state: &Self::State) -> Energy<T>;
+    /// Momentum in `state`.
+    fn momentum(&self, state: &Self::State) -> Momentum<T>;
     /// Whether every number of the state is finite.
     fn is_finite(&self, state: &Self::State) -> bool;
     /// No change of `state`.

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
 use super::kept_modes::copy_from;
-use super::{Keeping, Level, Phase, Port, RigidFrame};
+use super::{AttachedRows, Keeping, Level, Phase, Port, RigidFrame};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep,
     ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench, implicit_modal_mass,
@@ -11,24 +11,6 @@ use crate::body::{
 use crate::integrators::StepError;
 use crate::rotation::matrix;
 use crate::six::{Square, add_products, dot, scaled, six_times, subtract_scaled, zeros};
-
-/// The rows of a joint on one body: their gradients to the modes, row by row side by side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AttachedRows<V: ModalVector<T>, T: RealField + Copy = f64> {
-    /// Modal part of the gradients. Shape: M x rows.
-    modal: V::Sixes,
-    /// Θ_ff⁻¹ times that. Shape: M x rows.
-    weighted: V::Sixes,
-    /// Number of rows.
-    count: usize,
-}
-
-impl<V: ModalVector<T>, T: RealField + Copy> AttachedRows<V, T> {
-    /// Rows without effect.
-    pub fn empty(zeros: &V) -> Self {
-        Self { modal: zeros.zero_sixes(), weighted: zeros.zero_sixes(), count: 0 }
-    }
-}
 
 /// What a linearly implicit stage adds to an evaluation.
 #[derive(Debug)]
@@ -68,7 +50,7 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy, K = ()> {
     eliminated: Option<Eliminated<B::Modal, T>>,
     /// What the unknowns of a body without modes are; else the accelerations of its frame are unknown.
     frame: Option<RigidFrame<T>>,
-    /// One over the diagonal of Z; zero where that is not positive.
+    /// One over the diagonal of Z in its components; zero where that is not positive.
     yields: [T; 6],
     net: GeneralisedForce<B::Modal, T>,
     alone: B::Modal,
@@ -179,9 +161,17 @@ where
     /// Measures the factors that were made.
     fn measure(&mut self) -> Result<(), StepError> {
         let eliminated = self.eliminated.as_ref().ok_or(StepError::MassNotPositive)?;
-        let mass = &eliminated.remaining.data.0;
-        six_times!(K: { self.yields[K] = if mass[K][K] > T::zero() { T::one() / mass[K][K] } else { T::zero() }; });
-        self.frame = self.alone.as_slice().is_empty().then(|| RigidFrame::new(&eliminated.remaining));
+        let positive = |mass: T| if mass > T::zero() { T::one() / mass } else { T::zero() };
+        if self.alone.as_slice().is_empty() {
+            // the mean axes of a step of the energy-momentum method are none to resolve in
+            let axes = if self.span.is_some() { &Matrix3::identity() } else { &self.axes };
+            let frame = RigidFrame::new(&eliminated.remaining, axes);
+            self.yields = frame.masses().map(positive);
+            self.frame = Some(frame);
+        } else {
+            let mass = &eliminated.remaining.data.0;
+            six_times!(K: { self.yields[K] = positive(mass[K][K]); });
+        }
         Ok(())
     }
 
@@ -297,6 +287,12 @@ where
         self.measure()
     }
 
+    #[cold]
+    fn indefinite(&self) -> Option<T> {
+        let eliminated = self.eliminated.clone();
+        eliminated.and_then(Eliminated::factor).is_none().then(|| self.state.modal_coordinates.largest())
+    }
+
     fn rigid_mass(&self, to: &mut Square<T>) {
         if let Some(kept) = self.kept.kept() {
             *to = kept.rigid_mass();
@@ -357,6 +353,21 @@ where
         let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
         let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else { return };
         *count = rows;
+        if let Some(frame) = &self.frame {
+            match &self.span {
+                Some((span, _)) => {
+                    *effects = SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut());
+                    frame.to_components(effects);
+                }
+                None => frame.effects(&marker.position, gradients, effects),
+            }
+            if let Some(compliances) = compliances {
+                for (effect, yields) in effects.iter().zip(&self.yields) {
+                    add_products(compliances, effect, &scaled(*yields, effect));
+                }
+            }
+            return;
+        }
         match &self.span {
             Some((span, _)) => {
                 *effects = SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut());
@@ -397,12 +408,7 @@ where
                 add_products(compliances, effect, &scaled(*yields, effect));
             }
         }
-        match &self.frame {
-            Some(frame) => frame.to_components(effects),
-            None => {
-                eliminated.modal.solve_sixes_to(weighted, modal);
-            }
-        }
+        eliminated.modal.solve_sixes_to(weighted, modal);
     }
 
     fn subtract_compliance(&self, slot: usize, other: usize, from: &mut Square<T>) {

@@ -369,6 +369,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
                     assembly.load(time + half, &mut ports);
                 }
                 let mut constraints = constraints(assembly, &mut ports, storage, false);
+                constraints.plan.elimination.of_instant = false;
                 let moment = if phase == Phase::End { step } else { half };
                 constraints.evaluate(&|joint| assembly.drive(joint, time + moment));
                 match phase {

@@ -3,12 +3,11 @@
 use nalgebra::RealField;
 
 use super::soft_rows::{attach_soft_rows, pull_soft_rows};
-use super::{Connection, Plan, Ports};
-use crate::body::MarkerMotion;
+use super::{Connection, EvaluatedJoint, Plan, Ports};
 use crate::integrators::StepError;
 use crate::joints::Joint;
-use crate::relations::{Rows, add_powers};
-use crate::six::{self, add, add_products, add_scaled, products, scaled, six_times, transposed, zeros};
+use crate::relations::add_powers;
+use crate::six::{self, add, add_products, add_scaled, block_at, products, scaled, six_times, transpose};
 
 /// How redundant rows are dealt with: the proximal method, exact for consistent redundant rows, reactions of least norm.
 ///
@@ -69,24 +68,27 @@ impl<T: RealField + Copy> Regularisation<T> {
 /// The numbers of one evaluation of a mechanism; sizes as its plan says.
 #[derive(Debug)]
 pub struct Storage<'a, T: RealField + Copy> {
-    /// Blocks of the matrix, which become those of its factors.
-    pub blocks: &'a mut [[[T; 6]; 6]],
+    /// Blocks of the matrix, which become those of its factors; zeros that nothing was written to are not there.
+    pub blocks: &'a mut [Option<[[T; 6]; 6]>],
     /// Unknowns of each node: accelerations of frames and *negative* multipliers.
     pub solution: &'a mut [[T; 6]],
     /// Right-hand side; after a solve, the last correction.
     pub right: &'a mut [[T; 6]],
     /// μ of each row, at the place of its multiplier.
     pub shift: &'a mut [[T; 6]],
-    /// Rows of each joint, then of each soft link.
-    pub rows: &'a mut [Rows<T>],
+    /// Each joint, then each soft link; none before they are evaluated.
+    pub joints: &'a mut [Option<EvaluatedJoint<T>>],
     /// What each friction that follows reactions exerts; as many as there are.
     pub efforts: &'a mut [T],
-    /// Motion of both ends of each joint, then of each soft link.
-    pub ends: &'a mut [[MarkerMotion<T>; 2]],
     /// The markers at both ends of each soft link; none in explicit evaluations.
     pub soft_markers: &'a mut [[usize; 2]],
-    /// Whether blocks hold something besides zeros.
-    pub used: bool,
+}
+
+impl<T: RealField + Copy> Storage<'_, T> {
+    /// The joints that were evaluated, then the soft links.
+    pub fn evaluated(&self) -> impl Iterator<Item = &EvaluatedJoint<T>> {
+        self.joints.iter().flatten()
+    }
 }
 
 /// Which level of the constraints a right-hand side corrects.
@@ -137,13 +139,13 @@ pub struct Constraints<'a, 's, T: RealField + Copy> {
 impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Evaluates the joints: motion of their ends and rows. `drive` gives value, rate and acceleration for each joint.
     pub fn evaluate(&mut self, drive: &dyn Fn(usize) -> [T; 3]) {
-        let storage = self.storage.rows.iter_mut().zip(self.storage.ends.iter_mut());
-        for (joint, (connection, (rows, ends))) in self.connections.iter().zip(storage).enumerate() {
-            let [first, second] = ends;
-            *first = connection.first.motion(self.ports);
-            *second = connection.second.motion(self.ports);
-            rows.restart();
-            connection.kind.push_rows(rows, first, second, &drive(joint));
+        for (number, (connection, place)) in
+            self.connections.iter().zip(self.storage.joints.iter_mut()).enumerate()
+        {
+            let (first, second) = (&connection.first, &connection.second);
+            let joint = EvaluatedJoint::put(place, first.motion(self.ports), second.motion(self.ports));
+            let EvaluatedJoint { rows, ends: [first, second] } = joint;
+            connection.kind.push_rows(rows, first, second, &drive(number));
         }
     }
 
@@ -152,35 +154,38 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Errors: a body or the system has no factors.
     pub fn factor(&mut self) -> Result<(), StepError> {
         let share = self.regularisation.share;
-        let Storage { blocks, shift: shifts, rows, used, soft_markers, .. } = &mut *self.storage;
-        if core::mem::replace(used, true) {
-            blocks.fill(zeros());
+        let Storage { blocks, shift: shifts, joints: evaluated, soft_markers, .. } = &mut *self.storage;
+        for block in blocks.iter_mut() {
+            *block = None;
         }
         for (index, place) in self.plan.bodies.iter().enumerate() {
             let Some(port) = self.ports.port_mut(index) else { continue };
-            port.factor()?;
-            let Some(block) = blocks.get_mut(place.diagonal) else { continue };
+            if port.factor().is_err() {
+                return Err(self.blame());
+            }
+            let Some(block) = block_at(blocks, place.diagonal) else { continue };
             port.rigid_mass(block);
         }
-        let joints = self.plan.joints.iter().zip(self.connections).zip(rows.iter());
-        for ((place, connection), rows) in joints {
+        let joints = self.plan.joints.iter().zip(self.connections).zip(evaluated.iter());
+        for ((place, connection), joint) in joints {
+            let Some(EvaluatedJoint { rows, .. }) = joint else { continue };
             let mut shift = [T::zero(); 6];
             for ((end, attachment), gradients) in
                 place.ends.iter().zip([&connection.first, &connection.second]).zip(rows.gradients())
             {
                 let Some(end) = end else { continue };
                 let Some(port) = self.ports.port_mut(end.body) else { continue };
-                let Some(block) = blocks.get_mut(end.block.index) else { continue };
+                let Some(block) = block_at(blocks, end.block.index) else { continue };
                 let measured = (share > T::zero()).then_some(&mut shift);
                 port.attach(end.slot, attachment.marker, rows.len(), gradients, block, measured);
                 if end.block.transposed {
-                    *block = transposed(block);
+                    transpose(block);
                 }
-                if let Some(block) = blocks.get_mut(place.diagonal) {
+                if let Some(block) = block_at(blocks, place.diagonal) {
                     port.subtract_compliance(end.slot, end.slot, block);
                 }
             }
-            if let (true, Some(block)) = (share > T::zero(), blocks.get_mut(place.diagonal)) {
+            if let (true, Some(block)) = (share > T::zero(), block_at(blocks, place.diagonal)) {
                 six_times!(K: {
                     shift[K] = share * (shift[K] - block[K][K]);
                     block[K][K] -= shift[K];
@@ -191,8 +196,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             }
         }
         let hard = self.connections.len();
-        if let (Some(places @ [_, ..]), Some(rows)) = (self.plan.joints.get(hard..), rows.get(hard..)) {
-            attach_soft_rows(places, rows, soft_markers, self.ports, blocks);
+        if let (Some(places @ [_, ..]), Some(links)) = (self.plan.joints.get(hard..), evaluated.get(hard..)) {
+            attach_soft_rows(places, links, soft_markers, self.ports, blocks);
         }
         for shared in self.plan.shared {
             let (rows, columns) = match shared.block.transposed {
@@ -200,14 +205,25 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 false => (shared.second, shared.first),
             };
             if let (Some(port), Some(block)) =
-                (self.ports.port(shared.body), blocks.get_mut(shared.block.index))
+                (self.ports.port(shared.body), block_at(blocks, shared.block.index))
             {
                 port.subtract_compliance(rows, columns, block);
             }
         }
         self.place_kept_modes();
         let blocks = &mut *self.storage.blocks;
-        self.plan.elimination.factor(blocks).ok_or(StepError::MassNotPositive)
+        self.plan.elimination.factor(blocks).ok_or_else(|| self.blame())
+    }
+
+    /// Why there are no factors: the first body that has none of its own.
+    #[cold]
+    fn blame(&self) -> StepError {
+        let amplitude = |body| self.ports.port(body)?.indefinite();
+        let found = (0..self.plan.bodies.len()).find_map(|body| Some((body, amplitude(body)?)));
+        found.map_or(StepError::MassNotPositive, |(body, amplitude)| StepError::BodyNotPositive {
+            body,
+            amplitude: nalgebra::try_convert(amplitude).unwrap_or(f64::NAN),
+        })
     }
 
     /// Sets the blocks of modes that bodies keep as unknowns.
@@ -215,27 +231,27 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let blocks = &mut *self.storage.blocks;
         for place in self.plan.modes {
             let Some(port) = self.ports.port(place.body) else { continue };
-            if let Some(block) = blocks.get_mut(place.diagonal) {
+            if let Some(block) = block_at(blocks, place.diagonal) {
                 port.modal_mass(place.first, place.first, block);
             }
-            if let Some(block) = blocks.get_mut(place.frame.index) {
+            if let Some(block) = block_at(blocks, place.frame.index) {
                 port.modal_coupling(place.first, block);
                 if place.frame.transposed {
-                    *block = transposed(block);
+                    transpose(block);
                 }
             }
         }
         for place in self.plan.modal_pairs {
-            if let (Some(port), Some(block)) = (self.ports.port(place.body), blocks.get_mut(place.block)) {
+            if let (Some(port), Some(block)) = (self.ports.port(place.body), block_at(blocks, place.block)) {
                 port.modal_mass(place.rows, place.columns, block);
             }
         }
         for place in self.plan.modal_ends {
             let Some(port) = self.ports.port(place.body) else { continue };
-            if let Some(block) = blocks.get_mut(place.block.index) {
+            if let Some(block) = block_at(blocks, place.block.index) {
                 port.modal_rows(place.slot, place.first, block);
                 if place.block.transposed {
-                    *block = transposed(block);
+                    transpose(block);
                 }
             }
         }
@@ -258,8 +274,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             }
         }
         let joints = self.plan.joints.iter().zip(self.connections);
-        let evaluated = self.storage.rows.iter().zip(self.storage.ends.iter());
-        for ((place, connection), (rows, ends)) in joints.zip(evaluated) {
+        for ((place, connection), joint) in joints.zip(self.storage.joints.iter()) {
+            let Some(EvaluatedJoint { rows, ends }) = joint else { continue };
             let Some(right) = self.storage.right.get_mut(place.node) else { continue };
             let mut wanted = match target {
                 Target::Acceleration { gains: [damping, stiffness] } => {
@@ -290,11 +306,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             *right = wanted;
         }
         let hard = self.connections.len();
-        let Storage { rows, ends, soft_markers, right, .. } = &mut *self.storage;
-        if let (Some(places @ [_, ..]), Some(rows), Some(ends)) =
-            (self.plan.joints.get(hard..), rows.get(hard..), ends.get(hard..))
-        {
-            pull_soft_rows(places, rows, ends, soft_markers, self.ports, right);
+        let Storage { joints, soft_markers, right, .. } = &mut *self.storage;
+        if let (Some(places @ [_, ..]), Some(links)) = (self.plan.joints.get(hard..), joints.get(hard..)) {
+            pull_soft_rows(places, links, soft_markers, self.ports, right);
         }
         self.solve(self.regularisation.refinements);
     }
@@ -302,18 +316,18 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
     /// [`take_aim`](Self::take_aim). `share`: what a change of the unknowns is multiplied by to change places.
     pub fn aim(&mut self, share: T) {
-        for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter()) {
-            if let Some(right) = self.storage.right.get_mut(place.node) {
-                *right = scaled(-T::one() / share, rows.residuals());
+        for (place, joint) in self.plan.joints.iter().zip(self.storage.joints.iter()) {
+            if let (Some(right), Some(joint)) = (self.storage.right.get_mut(place.node), joint) {
+                *right = scaled(-T::one() / share, joint.rows.residuals());
             }
         }
     }
 
     /// Puts what [`aim`](Self::aim) has stored in the place of the residuals of rows that were evaluated anew since.
     pub fn take_aim(&mut self) {
-        for (place, rows) in self.plan.joints.iter().zip(self.storage.rows.iter_mut()) {
-            if let Some(right) = self.storage.right.get(place.node) {
-                rows.set_residuals(*right);
+        for (place, joint) in self.plan.joints.iter().zip(self.storage.joints.iter_mut()) {
+            if let (Some(right), Some(joint)) = (self.storage.right.get(place.node), joint) {
+                joint.rows.set_residuals(*right);
             }
         }
     }
@@ -326,9 +340,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 port.without_force();
             }
         }
-        let evaluated = self.storage.rows.iter().zip(self.storage.ends.iter());
+        let evaluated = self.storage.joints.iter();
         // soft rows resist corrections, and ask for none
-        for (place, (rows, ends)) in self.plan.joints.iter().zip(evaluated).take(self.connections.len()) {
+        for (place, joint) in self.plan.joints.iter().zip(evaluated).take(self.connections.len()) {
+            let Some(EvaluatedJoint { rows, ends }) = joint else { continue };
             let Some(right) = self.storage.right.get_mut(place.node) else { continue };
             *right = match level {
                 Level::Position => scaled(-T::one(), rows.residuals()),
@@ -389,8 +404,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Adds the resulting change of velocities to those of the joints' ends, which are where they were; their biases stay
     /// behind.
     pub(super) fn follow_velocities(&mut self) {
-        for (connection, ends) in self.connections.iter().zip(self.storage.ends.iter_mut()) {
-            for (attachment, end) in [&connection.first, &connection.second].into_iter().zip(ends) {
+        for (connection, joint) in self.connections.iter().zip(self.storage.joints.iter_mut()) {
+            let Some(joint) = joint else { continue };
+            for (attachment, end) in [&connection.first, &connection.second].into_iter().zip(&mut joint.ends)
+            {
                 let Some(port) = attachment.body.and_then(|body| self.ports.port(body)) else { continue };
                 let [linear, angular] = port.resulting_twist(attachment.marker);
                 end.velocity += linear;
@@ -403,7 +420,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// differences of.
     pub(super) fn round_off(&self) -> [T; 2] {
         let mut largest = [T::one(); 2];
-        for end in self.storage.ends.iter().take(self.connections.len()).flatten() {
+        let hard = self.storage.joints.iter().take(self.connections.len()).flatten();
+        for end in hard.flat_map(|joint| &joint.ends) {
             let velocities = end.velocity.iter().chain(end.angular_velocity.iter());
             largest[0] = end.position.iter().fold(largest[0], |largest, entry| largest.max(entry.abs()));
             largest[1] = velocities.fold(largest[1], |largest, entry| largest.max(entry.abs()));
@@ -415,8 +433,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// The largest residual of positions and of velocities, and the joint with the largest position residual.
     pub fn residuals(&self) -> ([T; 2], usize) {
         let mut largest = ([T::zero(); 2], 0);
-        let evaluated = self.storage.rows.iter().zip(self.storage.ends.iter()).take(self.connections.len());
-        for (joint, (rows, ends)) in evaluated.enumerate() {
+        let evaluated = self.storage.joints.iter().take(self.connections.len());
+        for (joint, evaluated) in evaluated.enumerate() {
+            let Some(EvaluatedJoint { rows, ends }) = evaluated else { continue };
             for (position, velocity) in rows.residuals().iter().zip(&rows.velocities(ends)) {
                 let (position, velocity) = (position.abs(), velocity.abs());
                 if is_worse(position, largest.0[0]) {

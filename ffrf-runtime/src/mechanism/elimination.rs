@@ -10,7 +10,7 @@ use core::ops::Range;
 
 use nalgebra::RealField;
 
-use super::node::{Coupling, Node, Step};
+use super::node::{Coupling, LARGEST_NODE, Node, Step};
 use crate::six::Square;
 
 /// Calls a method of a node with its number of unknowns as a constant, so that it is straight-line code.
@@ -27,9 +27,6 @@ macro_rules! by_size {
     };
 }
 
-/// The largest node: six accelerations or six rows.
-pub const LARGEST_NODE: usize = 6;
-
 /// The order of elimination with all places, made once for a mechanism.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Elimination<'a> {
@@ -41,11 +38,14 @@ pub struct Elimination<'a> {
     pub couplings: &'a [Coupling],
     /// Where the blocks of each pair of couplings begin.
     pub targets: &'a [usize],
+    /// Whether rows are those of one instant: those of joints that hold a point are then as [`Coupling::holds_point`] says.
+    /// In a step of the energy-momentum method they are means, and full.
+    pub of_instant: bool,
 }
 
 impl<'a> Elimination<'a> {
     fn nodes(&self, range: Range<usize>) -> impl DoubleEndedIterator<Item = Node<'a>> + use<'a> {
-        let (steps, couplings, targets) = (self.steps, self.couplings, self.targets);
+        let Self { steps, couplings, targets, of_instant, .. } = *self;
         range.filter_map(move |index| {
             let step = steps.get(index)?;
             let end = steps.get(index + 1).map_or(couplings.len(), |next| next.couplings);
@@ -53,6 +53,7 @@ impl<'a> Elimination<'a> {
                 step,
                 couplings: couplings.get(step.couplings..end)?,
                 targets: targets.get(step.targets..)?,
+                of_instant,
             })
         })
     }
@@ -63,7 +64,7 @@ impl<'a> Elimination<'a> {
     }
 
     /// Factors the matrix in place. `None` if a pivot is zero or not finite.
-    pub(super) fn factor<T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<()> {
+    pub(super) fn factor<T: RealField + Copy>(&self, blocks: &mut [Option<Square<T>>]) -> Option<()> {
         for node in self.nodes(0..self.steps.len()) {
             by_size!(node.factor(blocks))?;
         }
@@ -74,7 +75,7 @@ impl<'a> Elimination<'a> {
     pub(super) fn solve_forwards<T: RealField + Copy>(
         &self,
         start: usize,
-        blocks: &[Square<T>],
+        blocks: &[Option<Square<T>>],
         unknowns: &mut [[T; 6]],
     ) {
         for node in self.nodes(start..self.steps.len()) {
@@ -86,7 +87,7 @@ impl<'a> Elimination<'a> {
     pub(super) fn solve_backwards<T: RealField + Copy>(
         &self,
         range: Range<usize>,
-        blocks: &[Square<T>],
+        blocks: &[Option<Square<T>>],
         unknowns: &mut [[T; 6]],
     ) {
         for node in self.nodes(range).rev() {

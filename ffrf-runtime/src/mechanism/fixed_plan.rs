@@ -52,7 +52,7 @@ impl<
         let mut plan = Self {
             steps: [step; NODES],
             leading: 0,
-            couplings: [Coupling { size: 1, node: 0 }; COUPLINGS],
+            couplings: [Coupling { size: 1, node: 0, holds_point: false }; COUPLINGS],
             targets: [0; TARGETS],
             bodies: [BodyPlace { node: 0, diagonal: 0 }; BODIES],
             joints: [JointPlace { rows: 1, node: 0, diagonal: 0, ends: [None; 2] }; JOINTS],
@@ -87,6 +87,7 @@ impl<
                 leading: self.leading,
                 couplings: &self.couplings,
                 targets: &self.targets,
+                of_instant: true,
             },
             bodies: &self.bodies,
             joints: &self.joints,

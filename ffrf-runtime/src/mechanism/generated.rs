@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
 use super::{AttachedRows, Attachment, Connection, KeptModes, along_axis};
-use crate::body::{FlexibleBody, MarkerMotion};
+use crate::body::FlexibleBody;
 use crate::joints::{Fixed, JointKind};
 
 /// Three numbers as a vector.
@@ -73,9 +73,11 @@ pub fn kept<B: FlexibleBody<T>, T: RealField + Copy>(
     keeps.then(|| KeptModes::empty(&body.undeformed()))
 }
 
-/// The end of a joint before it is evaluated.
-pub fn still<T: RealField + Copy>() -> MarkerMotion<T> {
-    MarkerMotion::fixed(Vector3::zeros(), UnitQuaternion::identity())
+/// Places that nothing was written to: nothing but their absence is stored.
+#[inline(always)]
+pub fn absent<P: Copy, const N: usize>() -> [Option<P>; N] {
+    // not `from_fn`, which copies long arrays
+    [None; N]
 }
 
 /// The first of several equal bodies.

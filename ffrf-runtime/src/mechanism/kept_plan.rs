@@ -375,14 +375,16 @@ impl Unexpanded<'_> {
 
     const fn coupling(&self, step: &Step, part: Part) -> Coupling {
         let old = match part.coupling {
-            None => Some(Coupling { size: step.size, node: step.node }),
+            None => Some(Coupling { size: step.size, node: step.node, holds_point: false }),
             Some(coupling) => at(self.plan.elimination.couplings, step.couplings + coupling),
         };
         match old {
-            Some(Coupling { size, node }) => {
-                Coupling { size: self.size(node, size, part.chunk), node: self.node(node, part.chunk) }
-            }
-            None => Coupling { size: 1, node: 0 },
+            Some(Coupling { size, node, holds_point }) => Coupling {
+                size: self.size(node, size, part.chunk),
+                node: self.node(node, part.chunk),
+                holds_point,
+            },
+            None => Coupling { size: 1, node: 0, holds_point: false },
         }
     }
 

@@ -3,8 +3,8 @@
 use nalgebra::RealField;
 
 use super::{
-    Assembly, Connection, ImplicitTerms, JointFriction, Level, Plan, Regularisation, SoftLink, Storage,
-    Treatment,
+    Assembly, Connection, Energy, ImplicitTerms, JointFriction, Level, Momentum, Plan, Regularisation,
+    SoftLink, Storage, Treatment,
 };
 use crate::integrators::{Forcing, LocalError, Tolerances};
 
@@ -89,6 +89,14 @@ where
 
     fn soft(&self, index: usize) -> Option<SoftLink<'_, T>> {
         self.assembly.soft(index)
+    }
+
+    fn energy(&self, state: &A::State) -> Energy<T> {
+        self.assembly.energy(state)
+    }
+
+    fn momentum(&self, state: &A::State) -> Momentum<T> {
+        self.assembly.momentum(state)
     }
 
     fn connections(&self) -> &[Connection<T>] {

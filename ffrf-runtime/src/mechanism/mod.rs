@@ -2,6 +2,7 @@
 
 mod assemble;
 mod assembly;
+mod attached_rows;
 mod body_port;
 mod cast;
 mod connection;
@@ -10,6 +11,8 @@ mod constraints;
 mod drive;
 mod element;
 mod elimination;
+mod energy;
+mod evaluated_joint;
 mod fixed_plan;
 #[doc(hidden)]
 pub mod generated;
@@ -29,20 +32,23 @@ mod softening;
 mod triads;
 
 pub use assembly::{Assembly, Treatment};
-pub use body_port::{AttachedRows, BodyPort, ImplicitTerms};
+pub use attached_rows::AttachedRows;
+pub use body_port::{BodyPort, ImplicitTerms};
 pub use connection::{Attachment, Connection};
 pub use constrained::Constrained;
 pub use constraints::{Constraints, Level, Regularisation, Storage, Target};
 pub use drive::{Drive, MOST_COEFFICIENTS, polynomial};
 pub use element::Element;
-pub use elimination::{Elimination, LARGEST_NODE};
+pub use elimination::Elimination;
+pub use energy::{Energy, Momentum};
+pub use evaluated_joint::EvaluatedJoint;
 pub use fixed_plan::FixedPlan;
 pub use joint_friction::JointFriction;
 pub use kept_modes::{Keeping, KeptModes};
 pub use kept_plan::{PlanLists, PlanSizes, Unexpanded, keeps_modes};
 pub use loaded::Loaded;
 pub use moving::{Mechanism, NotAssembled};
-pub use node::{Coupling, Step};
+pub use node::{Coupling, LARGEST_NODE, Step};
 pub use plan::{
     Block, BodyPlace, EndPlace, JointPlace, ModalEndPlace, ModalPairPlace, ModesPlace, Plan, SharedPlace,
 };

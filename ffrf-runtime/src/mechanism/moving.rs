@@ -4,7 +4,7 @@ use core::fmt;
 
 use nalgebra::RealField;
 
-use super::{Assembly, Constrained};
+use super::{Assembly, Constrained, Energy, Momentum};
 use crate::integrators::{Drift, StepError, StepReport, step_linearly_implicit, step_rk4};
 
 /// A mechanism with its state and its time; what [`FreeBody`](crate::FreeBody) is to one body.
@@ -39,6 +39,16 @@ impl<A: Assembly<T>, T: RealField + Copy> Mechanism<A, T> {
         })?;
         self.state = state;
         Ok(drift)
+    }
+
+    /// Energy as it is now; that of forces of the user's own is not known. Units: J.
+    pub fn energy(&self) -> Energy<T> {
+        self.model.energy(&self.state)
+    }
+
+    /// Momentum as it is now.
+    pub fn momentum(&self) -> Momentum<T> {
+        self.model.momentum(&self.state)
     }
 
     /// Advances by one step of any method for systems, for example

@@ -4,7 +4,24 @@
 
 use nalgebra::RealField;
 
-use crate::six::{Square, dot, multiply_add, scaled, six_times, subtract_scaled};
+use crate::six::{Square, block_at, dot, multiply_add, scaled, six_times, subtract_scaled, zeros};
+
+/// Calls a kernel with the number of columns of its left block as a constant.
+macro_rules! by_columns {
+    ($size:expr, $kernel:ident::<$rows:ident, $scalar:ident>($($argument:expr),*)) => {
+        match $size {
+            1 => $kernel::<$rows, 1, $scalar>($($argument),*),
+            2 => $kernel::<$rows, 2, $scalar>($($argument),*),
+            3 => $kernel::<$rows, 3, $scalar>($($argument),*),
+            4 => $kernel::<$rows, 4, $scalar>($($argument),*),
+            5 => $kernel::<$rows, 5, $scalar>($($argument),*),
+            _ => $kernel::<$rows, LARGEST_NODE, $scalar>($($argument),*),
+        }
+    };
+}
+
+/// The largest node: six accelerations or six rows.
+pub const LARGEST_NODE: usize = 6;
 
 /// A node in the order of elimination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +49,9 @@ pub struct Coupling {
     pub size: usize,
     /// The later node.
     pub node: usize,
+    /// Whether a rigid body whose mass matrix is diagonal is coupled to a joint that holds a point: the first three rows of
+    /// their block have an entry in the column of the same number and no other.
+    pub holds_point: bool,
 }
 
 /// A node, with the nodes that are coupled to it when its turn comes.
@@ -40,71 +60,85 @@ pub(super) struct Node<'a> {
     pub(super) couplings: &'a [Coupling],
     /// The blocks of each pair of couplings.
     pub(super) targets: &'a [usize],
+    /// Whether what couplings say of rows holds.
+    pub(super) of_instant: bool,
 }
 
 impl Node<'_> {
     /// Factors the diagonal block and takes the node out of the later ones.
-    pub(super) fn factor<const N: usize, T: RealField + Copy>(&self, blocks: &mut [Square<T>]) -> Option<()> {
+    pub(super) fn factor<const N: usize, T: RealField + Copy>(
+        &self,
+        blocks: &mut [Option<Square<T>>],
+    ) -> Option<()> {
         let base = self.step.diagonal + 1 + self.couplings.len();
         let (panel, later) = blocks.split_at_mut_checked(base)?;
         let (diagonal, others) = panel.get_mut(self.step.diagonal..)?.split_first_mut()?;
-        let inverse = match self.step.is_diagonal {
-            true => invert_diagonal::<N, T>(diagonal)?,
+        let diagonal = diagonal.get_or_insert_with(zeros);
+        let is_diagonal = self.is_diagonal::<N>();
+        let inverse = match is_diagonal {
+            true => invert_diagonal(diagonal)?,
             false => factor_diagonal::<N, T>(diagonal)?,
         };
         let mut targets = self.targets.iter();
         for (p, last) in self.couplings.iter().enumerate() {
             let (done, rest) = others.split_at_mut_checked(p)?;
-            let own = rest.first_mut()?;
+            let own = rest.first_mut()?.get_or_insert_with(zeros);
+            let held = is_diagonal && self.of_instant && last.holds_point;
             // U = L⁻¹ A, of which D⁻¹ U stays
-            let eliminated = match self.step.is_diagonal {
-                true => *own,
-                false => eliminated::<N, T>(diagonal, own),
+            let eliminated = match is_diagonal {
+                true => scale_rows(own, &inverse),
+                false => eliminate_rows::<N, T>(own, diagonal, &inverse),
             };
-            six_times!(I: { if I < N { own[I] = scaled(inverse[I], &eliminated[I]); } });
-            for (block, coupling) in done.iter().zip(self.couplings) {
-                let target = later.get_mut(targets.next()?.checked_sub(base)?)?;
-                match coupling.size {
-                    1 => subtract::<N, 1, false, T>(target, block, &eliminated),
-                    2 => subtract::<N, 2, false, T>(target, block, &eliminated),
-                    3 => subtract::<N, 3, false, T>(target, block, &eliminated),
-                    4 => subtract::<N, 4, false, T>(target, block, &eliminated),
-                    5 => subtract::<N, 5, false, T>(target, block, &eliminated),
-                    _ => subtract::<N, 6, false, T>(target, block, &eliminated),
+            for (block, coupling) in done.iter().flatten().zip(self.couplings) {
+                let target = block_at(later, targets.next()?.checked_sub(base)?)?;
+                if held && coupling.holds_point {
+                    subtract_held(target, block, &eliminated);
+                } else {
+                    by_columns!(coupling.size, subtract::<N, T>(target, block, &eliminated));
                 }
             }
-            let target = later.get_mut(targets.next()?.checked_sub(base)?)?;
-            match last.size {
-                1 => subtract::<N, 1, true, T>(target, own, &eliminated),
-                2 => subtract::<N, 2, true, T>(target, own, &eliminated),
-                3 => subtract::<N, 3, true, T>(target, own, &eliminated),
-                4 => subtract::<N, 4, true, T>(target, own, &eliminated),
-                5 => subtract::<N, 5, true, T>(target, own, &eliminated),
-                _ => subtract::<N, 6, true, T>(target, own, &eliminated),
+            let target = block_at(later, targets.next()?.checked_sub(base)?)?;
+            if held {
+                subtract_held(target, own, &eliminated);
+            } else {
+                by_columns!(last.size, subtract::<N, T>(target, own, &eliminated));
             }
         }
         Some(())
     }
 
+    /// Whether the diagonal block is one of a rigid body that nothing was taken out of.
+    #[inline(always)]
+    fn is_diagonal<const N: usize>(&self) -> bool {
+        N == LARGEST_NODE && self.step.is_diagonal
+    }
+
     /// L x = b, this node's part.
     pub(super) fn solve_forwards<const N: usize, T: RealField + Copy>(
         &self,
-        blocks: &[Square<T>],
+        blocks: &[Option<Square<T>>],
         unknowns: &mut [[T; 6]],
     ) -> Option<()> {
         let (diagonal, others) = blocks.get(self.step.diagonal..)?.split_first()?;
+        let diagonal = diagonal.as_ref()?;
         let place = unknowns.get_mut(self.step.node)?;
         let mut own = *place;
-        if !self.step.is_diagonal {
+        let is_diagonal = self.is_diagonal::<N>();
+        if !is_diagonal {
             six_times!(J: { if J < N {
                 six_times!(I: { if I > J && I < N { own[I] = multiply_add(-diagonal[J][I], own[J], own[I]); } });
             } });
             *place = own;
         }
-        for (coupling, block) in self.couplings.iter().zip(others) {
+        for (coupling, block) in self.couplings.iter().zip(others.iter().flatten()) {
             let later = unknowns.get_mut(coupling.node)?;
             let mut sum = *later;
-            six_times!(I: { if I < N { subtract_scaled(&mut sum, own[I], &block[I]); } });
+            if is_diagonal && self.of_instant && coupling.holds_point {
+                six_times!(I: { if I < 3 { sum[I] = multiply_add(-own[I], block[I][I], sum[I]); } });
+                six_times!(I: { if I >= 3 { subtract_scaled(&mut sum, own[I], &block[I]); } });
+            } else {
+                six_times!(I: { if I < N { subtract_scaled(&mut sum, own[I], &block[I]); } });
+            }
             *later = sum;
         }
         Some(())
@@ -113,17 +147,25 @@ impl Node<'_> {
     /// D Lᵀ x = b, this node's part.
     pub(super) fn solve_backwards<const N: usize, T: RealField + Copy>(
         &self,
-        blocks: &[Square<T>],
+        blocks: &[Option<Square<T>>],
         unknowns: &mut [[T; 6]],
     ) -> Option<()> {
         let (diagonal, others) = blocks.get(self.step.diagonal..)?.split_first()?;
+        let diagonal = diagonal.as_ref()?;
         let mut own = *unknowns.get(self.step.node)?;
+        let is_diagonal = self.is_diagonal::<N>();
         six_times!(I: { if I < N { own[I] *= diagonal[I][I]; } });
-        for (coupling, block) in self.couplings.iter().zip(others) {
+        for (coupling, block) in self.couplings.iter().zip(others.iter().flatten()) {
             let later = unknowns.get(coupling.node)?;
-            six_times!(I: { if I < N { own[I] -= dot(&block[I], later); } });
+            if is_diagonal && self.of_instant && coupling.holds_point {
+                six_times!(I: {
+                    own[I] -= if I < 3 { block[I][I] * later[I] } else { dot(&block[I], later) };
+                });
+            } else {
+                six_times!(I: { if I < N { own[I] -= dot(&block[I], later); } });
+            }
         }
-        if !self.step.is_diagonal {
+        if !is_diagonal {
             six_times!(K: { {
                 const I: usize = 5 - K;
                 if I < N {
@@ -136,68 +178,102 @@ impl Node<'_> {
     }
 }
 
+// Each of the following works on blocks where they are, row by row: not inlined, because a compiler that sees several of them
+// at once keeps entries of blocks in registers, shuffles them, and runs out of registers.
+
 /// L D Lᵀ in place: Lᵀ above the diagonal, D⁻¹ on it; gives D⁻¹.
 ///
-/// Reads and writes the upper triangle; below it stands nothing.
-#[inline(always)]
+/// What stands below the diagonal is neither read nor kept.
+#[inline(never)]
+#[allow(clippy::needless_range_loop)] // entries above and left of each other
 fn factor_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<[T; 6]> {
     let mut rows = *block;
-    let [mut inverse, mut pivots] = [[T::one(); 6]; 2];
-    six_times!(J: { if J < N {
-        let row = rows[J];
-        pivots[J] = row[J];
-        inverse[J] = T::one() / row[J];
-        let mut upper = scaled(inverse[J], &row);
-        six_times!(I: { if I > J && I < N { subtract_scaled(&mut rows[I], upper[I], &row); } });
-        upper[J] = inverse[J];
-        block[J] = upper;
-    } });
-    let mut sound = T::zero();
-    six_times!(J: { if J < N {
+    let (mut inverse, mut sound) = ([T::one(); 6], T::zero());
+    for i in 0..N {
+        let mut row = rows[i];
+        for j in 0..i {
+            subtract_scaled(&mut row, block[j][i], &rows[j]);
+        }
+        rows[i] = row;
+        inverse[i] = T::one() / row[i];
         // one, unless a pivot is zero or not finite
-        sound += pivots[J] * inverse[J];
-    } });
+        sound += row[i] * inverse[i];
+        block[i] = scaled(inverse[i], &row);
+        block[i][i] = inverse[i];
+    }
     sound.is_finite().then_some(inverse)
 }
 
 /// [`factor_diagonal`] of a diagonal matrix, the rest of which is not touched.
-#[inline(always)]
-fn invert_diagonal<const N: usize, T: RealField + Copy>(block: &mut Square<T>) -> Option<[T; 6]> {
+#[inline(never)]
+fn invert_diagonal<T: RealField + Copy>(block: &mut Square<T>) -> Option<[T; 6]> {
     let (mut inverse, mut sound) = ([T::one(); 6], T::zero());
-    six_times!(J: { if J < N {
-        inverse[J] = T::one() / block[J][J];
-        sound += inverse[J] * block[J][J];
-        block[J][J] = inverse[J];
-    } });
+    for (i, (row, inverse)) in block.iter_mut().zip(&mut inverse).enumerate() {
+        *inverse = T::one() / row[i];
+        sound += *inverse * row[i];
+        row[i] = *inverse;
+    }
     sound.is_finite().then_some(inverse)
 }
 
-/// L⁻¹ times a block.
-#[inline(always)]
-fn eliminated<const N: usize, T: RealField + Copy>(diagonal: &Square<T>, block: &Square<T>) -> Square<T> {
+/// Gives L⁻¹ times a block, and leaves D⁻¹ L⁻¹ times it.
+#[inline(never)]
+#[allow(clippy::needless_range_loop)] // entries above and left of each other
+fn eliminate_rows<const N: usize, T: RealField + Copy>(
+    block: &mut Square<T>,
+    diagonal: &Square<T>,
+    inverse: &[T; 6],
+) -> Square<T> {
     let mut rows = *block;
-    six_times!(J: { if J < N {
-        let row = rows[J];
-        six_times!(I: { if I > J && I < N { subtract_scaled(&mut rows[I], diagonal[J][I], &row); } });
-    } });
+    for i in 0..N {
+        let mut row = rows[i];
+        for j in 0..i {
+            subtract_scaled(&mut row, diagonal[j][i], &rows[j]);
+        }
+        rows[i] = row;
+        block[i] = scaled(inverse[i], &row);
+    }
     rows
 }
 
-/// Subtracts the product of the first `R` columns of one block with another from a third; of a symmetric one the upper
-/// triangle is enough.
-#[inline(always)]
-fn subtract<const N: usize, const R: usize, const SYMMETRIC: bool, T: RealField + Copy>(
+/// Gives a block, and leaves D⁻¹ times it.
+#[inline(never)]
+fn scale_rows<T: RealField + Copy>(block: &mut Square<T>, inverse: &[T; 6]) -> Square<T> {
+    let rows = *block;
+    for (row, inverse) in block.iter_mut().zip(inverse) {
+        *row = scaled(*inverse, row);
+    }
+    rows
+}
+
+/// Subtracts the product of the first `R` columns of one block with another from a third.
+#[inline(never)]
+fn subtract<const N: usize, const R: usize, T: RealField + Copy>(
     target: &mut Square<T>,
     left: &Square<T>,
     right: &Square<T>,
 ) {
-    six_times!(K: { if K < R {
-        let mut row = target[K];
-        six_times!(I: { if I < N {
-            let factor = -left[I][K];
-            // pairs stay together
-            six_times!(L: { if !SYMMETRIC || L >= K / 2 * 2 { row[L] = multiply_add(factor, right[I][L], row[L]); } });
-        } });
-        target[K] = row;
-    } });
+    for (k, row) in target.iter_mut().enumerate().take(R) {
+        let mut sum = *row;
+        for (left, right) in left.iter().zip(right).take(N) {
+            subtract_scaled(&mut sum, left[k], right);
+        }
+        *row = sum;
+    }
+}
+
+/// [`subtract`] where both blocks couple a rigid body with a joint that holds a point, see [`Coupling::holds_point`].
+#[inline(never)]
+#[allow(clippy::needless_range_loop)] // of constant length: this is unrolled, iterators here are not
+fn subtract_held<T: RealField + Copy>(target: &mut Square<T>, left: &Square<T>, right: &Square<T>) {
+    for k in 0..LARGEST_NODE {
+        let mut row = target[k];
+        for i in 3..LARGEST_NODE {
+            subtract_scaled(&mut row, left[i][k], &right[i]);
+        }
+        target[k] = row;
+    }
+    for k in 0..3 {
+        target[k][k] = multiply_add(-left[k][k], right[k][k], target[k][k]);
+    }
 }

@@ -33,6 +33,8 @@ pub trait Port<T: RealField + Copy> {
     ///
     /// Errors: the modal mass is not positive definite.
     fn factor(&mut self) -> Result<(), StepError>;
+    /// The largest modal coordinate, if the mass matrix is not positive definite there; after [`factor`](Self::factor).
+    fn indefinite(&self) -> Option<T>;
     /// Sets Z, what the mass matrix leaves for the motion of the frame, symmetric. Shape: 6 x 6.
     ///
     /// That motion is a [`RigidFrame`](super::RigidFrame)'s where there are no modes: Z is diagonal then.

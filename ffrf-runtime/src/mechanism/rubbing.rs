@@ -67,8 +67,8 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     pub(super) fn rub_as<A: Assembly<T>>(&mut self, assembly: &A, efforts: &[T]) {
         let mut index = 0;
         while let (Some(friction), Some(effort)) = (assembly.friction(index), efforts.get(index)) {
-            if let Some([first, second]) = self.storage.ends.get(friction.joint).copied() {
-                self.push_net(&friction, &[first, second], *effort);
+            if let Some(ends) = self.ends_of(friction.joint) {
+                self.push_net(&friction, &ends, *effort);
             }
             index += 1;
         }
@@ -77,7 +77,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Renews one friction by the reaction as it is now; gives its change, relative to it.
     fn renew(&mut self, index: usize, friction: &JointFriction<T>, per_multiplier: T, noise: T) -> T {
         let (Some([first, second]), Some(before)) =
-            (self.storage.ends.get(friction.joint).copied(), self.storage.efforts.get(index).copied())
+            (self.ends_of(friction.joint), self.storage.efforts.get(index).copied())
         else {
             return T::zero();
         };
@@ -94,6 +94,10 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         }
         let size = effort.abs().max(before.abs()).max(friction.coefficient * friction.arm * noise);
         if size > T::zero() { change.abs() / size } else { T::zero() }
+    }
+
+    fn ends_of(&self, joint: usize) -> Option<[MarkerMotion<T>; 2]> {
+        self.storage.joints.get(joint)?.map(|joint| joint.ends)
     }
 
     fn push_net(&mut self, friction: &JointFriction<T>, ends: &[MarkerMotion<T>; 2], effort: T) {

@@ -16,9 +16,11 @@ pub fn acceleration<T: RealField + Copy>(at: &Attachment<T>, ports: &dyn Ports<T
 /// A joint and its drive are two: their reactions are to be added.
 pub fn reaction<T: RealField + Copy>(plan: &Plan<'_>, storage: &Storage<'_, T>, joint: usize) -> Wrench<T> {
     let mut sum = Wrench::zero();
-    let (Some(place), Some(rows)) = (plan.joints.get(joint), storage.rows.get(joint)) else { return sum };
+    let (Some(place), Some(Some(evaluated))) = (plan.joints.get(joint), storage.joints.get(joint)) else {
+        return sum;
+    };
     let multipliers = storage.solution.get(place.node).into_iter().flatten();
-    for (row, negative) in rows.iter().zip(multipliers) {
+    for (row, negative) in evaluated.rows.iter().zip(multipliers) {
         let multiplier = -*negative;
         sum.force += row.second.force * multiplier;
         sum.moment += row.second.moment * multiplier;

@@ -28,11 +28,10 @@
 
 use nalgebra::RealField;
 
-use super::{Attachment, JointPlace, Ports};
-use crate::body::MarkerMotion;
+use super::{Attachment, EvaluatedJoint, JointPlace, Ports};
 use crate::forces::ForceElement;
-use crate::relations::{Rows, add_powers};
-use crate::six::{Square, products, scaled, six_times, transposed};
+use crate::relations::add_powers;
+use crate::six::{Square, block_at, products, scaled, six_times, transpose};
 
 /// A force element that implicit steps take into their matrix, as soft rows of the constrained solve.
 ///
@@ -50,24 +49,25 @@ pub struct SoftLink<'a, T: RealField + Copy> {
 /// Sets the blocks of soft rows.
 pub(super) fn attach_soft_rows<T: RealField + Copy>(
     places: &[JointPlace],
-    rows: &[Rows<T>],
+    links: &[Option<EvaluatedJoint<T>>],
     markers: &[[usize; 2]],
     ports: &mut dyn Ports<T>,
-    blocks: &mut [Square<T>],
+    blocks: &mut [Option<Square<T>>],
 ) {
-    for ((place, rows), markers) in places.iter().zip(rows).zip(markers) {
-        if let Some(block) = blocks.get_mut(place.diagonal) {
+    for ((place, link), markers) in places.iter().zip(links).zip(markers) {
+        let Some(EvaluatedJoint { rows, .. }) = link else { continue };
+        if let Some(block) = block_at(blocks, place.diagonal) {
             six_times!(K: { block[K][K] = -T::one(); });
         }
         for ((end, marker), gradients) in place.ends.iter().zip(markers).zip(rows.gradients()) {
             let Some(end) = end else { continue };
             let Some(port) = ports.port_mut(end.body) else { continue };
-            let Some(block) = blocks.get_mut(end.block.index) else { continue };
+            let Some(block) = block_at(blocks, end.block.index) else { continue };
             port.attach(end.slot, *marker, rows.len(), gradients, block, None);
             if end.block.transposed {
-                *block = transposed(block);
+                transpose(block);
             }
-            if let Some(block) = blocks.get_mut(place.diagonal) {
+            if let Some(block) = block_at(blocks, place.diagonal) {
                 port.subtract_compliance(end.slot, end.slot, block);
             }
         }
@@ -77,13 +77,13 @@ pub(super) fn attach_soft_rows<T: RealField + Copy>(
 /// Sets the right-hand sides of soft rows.
 pub(super) fn pull_soft_rows<T: RealField + Copy>(
     places: &[JointPlace],
-    rows: &[Rows<T>],
-    ends: &[[MarkerMotion<T>; 2]],
+    links: &[Option<EvaluatedJoint<T>>],
     markers: &[[usize; 2]],
     ports: &dyn Ports<T>,
     right: &mut [[T; 6]],
 ) {
-    for (((place, rows), ends), markers) in places.iter().zip(rows).zip(ends).zip(markers) {
+    for ((place, link), markers) in places.iter().zip(links).zip(markers) {
+        let Some(EvaluatedJoint { rows, ends }) = link else { continue };
         let Some(right) = right.get_mut(place.node) else { continue };
         let mut moved = rows.velocities(ends);
         for ((end, marker), gradients) in place.ends.iter().zip(markers).zip(rows.gradients()) {

@@ -2,21 +2,21 @@
 
 use nalgebra::RealField;
 
-use super::{Assembly, Constraints, SoftLink, Storage};
+use super::{Assembly, Constraints, EvaluatedJoint, SoftLink, Storage};
 use crate::relations::Row;
 
 impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// The soft rows in this state, behind those of the joints.
     pub(super) fn soften<A: Assembly<T>>(&mut self, assembly: &A, gamma_h: T) {
         let hard = self.connections.len();
-        let Storage { rows, ends, soft_markers, .. } = &mut *self.storage;
-        let storage = rows.iter_mut().zip(ends.iter_mut()).skip(hard).zip(soft_markers.iter_mut());
+        let Storage { joints, soft_markers, .. } = &mut *self.storage;
+        let storage = joints.iter_mut().skip(hard).zip(soft_markers.iter_mut());
         let places = self.plan.joints.iter().skip(hard);
-        for (index, (place, ((rows, ends), markers))) in places.zip(storage).enumerate() {
+        for (index, (place, (link, markers))) in places.zip(storage).enumerate() {
             let Some(SoftLink { element, ends: [first, second] }) = assembly.soft(index) else { continue };
-            *ends = [first.motion(self.ports), second.motion(self.ports)];
+            let joint = EvaluatedJoint::put(link, first.motion(self.ports), second.motion(self.ports));
+            let EvaluatedJoint { rows, ends } = joint;
             *markers = [first.marker, second.marker];
-            rows.restart();
             element.soften(&ends[0], &ends[1], &mut |row| rows.push(row.in_stage(gamma_h)));
             while rows.len() < place.rows {
                 rows.push(Row::zero());

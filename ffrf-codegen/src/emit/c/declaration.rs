@@ -11,6 +11,8 @@ pub(super) struct Declaration {
     name: String,
     kind: &'static str,
     mode_count: usize,
+    /// Whether no other file sees it.
+    pub(super) is_local: bool,
     /// Inputs that have entries.
     pub(super) inputs: Vec<Input>,
     /// Results that have entries.
@@ -24,6 +26,7 @@ impl Declaration {
             name: format!("{}_{}", style.prefix, signature.name),
             kind: style.type_name(),
             mode_count,
+            is_local: false,
             inputs: signature.inputs.iter().copied().filter(|input| input.size(mode_count) > 0).collect(),
             outputs: signature
                 .outputs
@@ -51,7 +54,7 @@ impl Declaration {
 
     /// The prototype without its semicolon.
     pub(super) fn prototype(&self) -> String {
-        let Self { name, kind, mode_count, .. } = self;
+        let Self { name, kind, mode_count, is_local, .. } = self;
         let mut arguments: Vec<String> = self
             .inputs
             .iter()
@@ -64,6 +67,7 @@ impl Declaration {
             }));
         }
         let result = if self.returns() { kind } else { "void" };
+        let result = if *is_local { format!("static {result}") } else { (*result).to_owned() };
         if arguments.is_empty() {
             arguments.push("void".to_owned());
         }

@@ -1,17 +1,22 @@
 //! The C printer: listings as a header and a source of portable C99.
 //!
 //! ```text
-//! PREFIX.h    counts and numbers of the body, marker type, prototypes with documentation
-//! PREFIX.c    markers, one function for each kernel
+//! PREFIX.h    counts and numbers of the body, types of markers and of its state, prototypes with documentation
+//! PREFIX.c    markers, one function for each kernel, and a step of the free body about them
 //! ```
 //!
-//! No heap, no recursion, no loop, no global that changes; `sqrt` is all that is taken from the library.
+//! No heap, no recursion, no loop but those of fixed length in the step, no global that changes; `sqrt` is all that is taken
+//! from the library.
 
 mod declaration;
 mod function;
 mod markers;
+mod mechanism;
 mod notation;
+mod step;
 mod text;
+
+pub(crate) use self::mechanism::{MechanismSubject, Names, mechanism};
 
 use self::declaration::Declaration;
 use self::notation::Notation;
@@ -85,6 +90,19 @@ pub(super) fn files(subject: &Subject<'_>, kernels: &[ValidKernel]) -> Files {
     }
 }
 
+/// One kernel as a function that no other file sees, with its documentation.
+pub(crate) fn kernel(kernel: &ValidKernel, options: &GenerateOptions, mode_count: usize) -> String {
+    let style = Style::of(options, mode_count);
+    let plain = Notation::new(&style, None);
+    let listing = listing(kernel, |tree: &Tree| expression(tree, &plain).chars().count());
+    let mut declaration = Declaration::of(&listing, &style);
+    declaration.is_local = true;
+    let mut text = Text::new(UnitNames::of(None));
+    text.comment(declaration.documentation(&listing));
+    function::function(&mut text, &listing, &declaration, &style);
+    text.finish()
+}
+
 fn header(subject: &Subject<'_>, style: &Style, declarations: &[(Listing, Declaration)]) -> String {
     let mut text = Text::new(UnitNames::of(subject.model));
     let mut lines = banner_of(subject);
@@ -99,6 +117,7 @@ fn header(subject: &Subject<'_>, style: &Style, declarations: &[(Listing, Declar
         text.documentation(declaration.documentation(listing));
         text.line(format!("{};\n", declaration.prototype()));
     }
+    step::declaration(&mut text, style);
     text.line("#ifdef __cplusplus\n}\n#endif\n");
     text.line(format!("#endif /* {guard} */"));
     text.finish()
@@ -113,13 +132,13 @@ fn banner_comment(subject: &Subject<'_>) -> String {
 /// What stands in the source besides its banner and the header.
 fn definitions(subject: &Subject<'_>, style: &Style, declarations: &[(Listing, Declaration)]) -> String {
     let mut text = Text::new(UnitNames::of(subject.model));
-    if declarations.iter().any(|(listing, _)| listing.needs().square_root) {
-        text.line("#include <math.h>\n");
-    }
+    // of the step
+    text.line("#include <math.h>\n");
     markers::definitions(&mut text, subject, style);
     for (listing, declaration) in declarations {
         function::function(&mut text, listing, declaration, style);
     }
+    step::definition(&mut text, style);
     text.finish()
 }
 

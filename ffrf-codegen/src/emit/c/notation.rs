@@ -29,6 +29,11 @@ pub(super) fn number(value: f64, scalar: ScalarType) -> String {
     format!("{}{suffix}", literal(value, scalar))
 }
 
+/// The function of the library.
+pub(super) fn square_root_name(scalar: ScalarType) -> &'static str {
+    if scalar == ScalarType::F32 { "sqrtf" } else { "sqrt" }
+}
+
 impl expression::Notation for Notation<'_> {
     fn number(&self, value: f64) -> Text {
         Text::number(value < 0.0, number(value.abs(), self.scalar))
@@ -55,7 +60,7 @@ impl expression::Notation for Notation<'_> {
     }
 
     fn square_root(&self, operand: &str) -> String {
-        format!("{}({operand})", if self.scalar == ScalarType::F32 { "sqrtf" } else { "sqrt" })
+        format!("{}({operand})", square_root_name(self.scalar))
     }
 }
 

@@ -67,8 +67,11 @@ pub(super) fn function(writer: &mut Writer, listing: &Listing, style: Style<'_>)
                 let (own, rest) = results.split_at(output.shape.entries(modes).min(results.len()));
                 results = rest;
                 if *complete == position {
-                    let entries: Vec<String> = own.iter().map(|tree| expression(tree, &style)).collect();
+                    let entries: Vec<String> = own.iter().map(|tree| entry(tree, &style)).collect();
                     writer.blank();
+                    if own.contains(&Tree::Number(0.0)) {
+                        writer.line("let zero = support::zero_entry();");
+                    }
                     value(writer, &format!("*{} = ", output.name), output.shape, &entries, modes, ";");
                     is_any = true;
                 }
@@ -96,6 +99,11 @@ pub(super) fn function(writer: &mut Writer, listing: &Listing, style: Style<'_>)
             write(writer, 0);
         }
     });
+}
+
+/// A result; zeros have a name, see `support::zero_entry`.
+fn entry(tree: &Tree, style: &Style<'_>) -> String {
+    if *tree == Tree::Number(0.0) { "zero".to_owned() } else { expression(tree, style) }
 }
 
 /// In which section inputs are needed for the first time, and results are complete.

@@ -55,15 +55,21 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         let loops = loops.map(|(items, _)| quote! { for port in #items { #action } });
         quote! { #(#loops)* }
     };
-    let pairs = |own: &str, other: &str, action: TokenStream| {
+    let pairs = |own: &str, other: &str, action: TokenStream, changes: bool| {
         let (own, other) = (ident(own), ident(other));
         let loops = spec.bodies.iter().map(|body| {
-            let (own, other) = (slice_mut(body, &own), slice(body, &other));
-            quote! { for (own, other) in #own.iter_mut().zip(#other) { #action } }
+            let (read, other) = (slice(body, &own), slice(body, &other));
+            let own = slice_mut(body, &own);
+            let own = if changes {
+                quote! { #own.iter_mut() }
+            } else {
+                quote! { #read.iter() }
+            };
+            quote! { for (own, other) in #own.zip(#other) { #action } }
         });
         quote! { #(#loops)* }
     };
-    let collect = pairs("rates", "ports", quote! { *own = other.rate(own); });
+    let collect = pairs("rates", "ports", quote! { *own = other.rate(own); }, true);
     let correct = each("ports", quote! { port.correct(level); });
     let kept = spec.bodies.iter().map(|body| {
         let field = &body.name;
@@ -74,7 +80,9 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
     });
     let weigh = each("ports", quote! { ::ffrf::mechanism::Port::weigh(port, &self.gravity); });
     let forces = forces(spec);
-    let (applied, friction, soft) = (&forces.applied, &forces.friction, &forces.soft);
+    let (applied, friction, soft, stored) = (&forces.applied, &forces.friction, &forces.soft, &forces.stored);
+    let energies = pairs("self", "state", quote! { sum.add_body(own, other, &self.gravity); }, false);
+    let momenta = pairs("self", "state", quote! { sum.add_body(own, other); }, false);
     let driven = spec.drives.iter().map(|drive| {
         let (field, connection) = (&drive.name, drive.first);
         match &drive.range {
@@ -99,8 +107,8 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
             None => quote! { #field: #one(&state.#field.modal_coordinates) },
         }
     });
-    let retract = pairs("state", "increment", quote! { *own = own.retract(other); });
-    let place = pairs("rates", "origin", quote! { *own = own.place_rate(&other.retract(own)); });
+    let retract = pairs("state", "increment", quote! { *own = own.retract(other); }, true);
+    let place = pairs("rates", "origin", quote! { *own = own.place_rate(&other.retract(own)); }, true);
     let velocities = each("increment", quote! { *port = port.velocities_only(); });
     let local = spec.bodies.iter().map(|body| {
         let items = slice(body, &ident("difference"));
@@ -181,7 +189,6 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                     soft: bool,
                     use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, #t>) -> R,
                 ) -> R {
-                    let still = support::still::<#t>();
                     #storage
                 }
 
@@ -216,6 +223,19 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 #friction
 
                 #soft
+
+                fn energy(&self, state: &Self::State) -> ::ffrf::mechanism::Energy<#t> {
+                    let mut sum = ::ffrf::mechanism::Energy::none();
+                    #energies
+                    #stored
+                    sum
+                }
+
+                fn momentum(&self, state: &Self::State) -> ::ffrf::mechanism::Momentum<#t> {
+                    let mut sum = ::ffrf::mechanism::Momentum::none();
+                    #momenta
+                    sum
+                }
 
                 fn treatment(&self) -> ::ffrf::mechanism::Treatment<#t> {
                     self.treatment
@@ -290,15 +310,13 @@ fn storage(spec: &Spec, layout: &Layout, links: usize) -> TokenStream {
     let all = spec.connections + links;
     quote! {
         use_it(&mut ::ffrf::mechanism::Storage {
-            blocks: &mut [[[#zero; 6]; 6]; #blocks],
+            blocks: &mut support::absent::<_, #blocks>(),
             solution: &mut [[#zero; 6]; #nodes],
             right: &mut [[#zero; 6]; #nodes],
             shift: &mut [[#zero; 6]; #nodes],
             efforts: &mut [#zero; #frictions],
-            rows: &mut [::ffrf::relations::Rows::none(); #all],
-            ends: &mut [[still; 2]; #all],
+            joints: &mut support::absent::<_, #all>(),
             soft_markers: &mut [[0; 2]; #links],
-            used: false,
         })
     }
 }

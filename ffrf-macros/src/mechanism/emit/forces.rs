@@ -51,6 +51,8 @@ pub(super) fn values(spec: &Spec) -> impl Iterator<Item = TokenStream> + '_ {
 pub(super) struct Acting {
     /// Statements that add them to the forces on the bodies.
     pub(super) applied: TokenStream,
+    /// Statements that add the energy that they store to `sum`.
+    pub(super) stored: TokenStream,
     /// The method that finds friction that follows reactions, if there is any.
     pub(super) friction: TokenStream,
     /// The method that finds what implicit steps take into their matrix, if there is any.
@@ -96,7 +98,30 @@ pub(super) fn forces(spec: &Spec) -> Acting {
             }
         }
     };
-    Acting { applied, friction, soft: soft(spec) }
+    Acting { applied, stored: stored(spec), friction, soft: soft(spec) }
+}
+
+/// What adds the energy of force elements to `sum`.
+fn stored(spec: &Spec) -> TokenStream {
+    let elements = spec.forces.iter().filter(|force| matches!(force.nature, Nature::Element { .. }));
+    let mut added = elements
+        .map(|force| {
+            let field = &force.name;
+            match &force.range {
+                None => quote! { sum.potential += self.#field.energy(&ports); },
+                Some(_) => {
+                    quote! { for element in &self.#field { sum.potential += element.energy(&ports); } }
+                }
+            }
+        })
+        .peekable();
+    if added.peek().is_none() {
+        return TokenStream::new();
+    }
+    quote! {
+        let ports = ::ffrf::mechanism::Assembly::ports(self, *state, ::core::option::Option::None);
+        #(#added)*
+    }
 }
 
 /// The number of frictions that follow reactions.

@@ -40,6 +40,8 @@ pub(super) fn model(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
         quote! { #field: [::ffrf::Marker<#modal, #t>; #count], }
     });
     let joint_names = joint_names(spec);
+    let body_names: Vec<String> = spec.bodies.iter().flat_map(Body::names).collect();
+    let body_count = body_names.len();
     let given: Vec<&Body> =
         spec.bodies.iter().filter(|body| !matches!(body.nature, Nature::Inline(_))).collect();
     let parameters = given.iter().map(|body| {
@@ -85,6 +87,9 @@ pub(super) fn model(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
         impl #bound #name #used {
             /// The joints and drives by their numbers in errors.
             pub const JOINTS: [&'static str; #count] = [#(#joint_names),*];
+
+            /// The bodies by their numbers in errors.
+            pub const BODIES: [&'static str; #body_count] = [#(#body_names),*];
 
             /// The mechanism of these bodies.
             pub fn new(#(#parameters),*) -> Self {

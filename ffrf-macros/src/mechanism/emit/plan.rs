@@ -131,8 +131,8 @@ fn plan(plan: &MechanismPlan, prefix: &str, keyword: &TokenStream) -> (TokenStre
         }
     });
     let couplings = plan.couplings.iter().map(|coupling| {
-        let (size, node) = (coupling.size, coupling.node);
-        quote! { places::Coupling { size: #size, node: #node } }
+        let (size, node, holds_point) = (coupling.size, coupling.node, coupling.holds_point);
+        quote! { places::Coupling { size: #size, node: #node, holds_point: #holds_point } }
     });
     let targets = &plan.targets;
     let bodies = plan.bodies.iter().map(|body| {
@@ -185,6 +185,7 @@ fn plan(plan: &MechanismPlan, prefix: &str, keyword: &TokenStream) -> (TokenStre
         places::Plan {
             elimination: places::Elimination {
                 steps: &#all_steps, leading: #leading, couplings: &#all_couplings, targets: &#all_targets,
+                of_instant: true,
             },
             bodies: &#all_bodies,
             joints: &#all_joints,

@@ -1,4 +1,4 @@
-//! CasADi's mass matrix, quadratic velocity vector and accelerations.
+//! Mass matrix, quadratic velocity vector and accelerations, by C: CasADi's, or ours.
 #![no_std]
 #![no_main]
 

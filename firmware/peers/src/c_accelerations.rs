@@ -1,4 +1,4 @@
-//! CasADi's accelerations alone.
+//! Accelerations alone, by C: CasADi's, or ours.
 #![no_std]
 #![no_main]
 

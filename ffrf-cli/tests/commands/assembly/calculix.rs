@@ -1,0 +1,116 @@
+//! The same structure as a CalculiX deck: C3D20 solids, rigid bodies at interfaces, equations at joints, and springs. Numbers carry a point: CalculiX refuses some that do not.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::Command;
+
+use super::structure::{Motion, Structure};
+
+/// Frequencies that CalculiX finds, or `None`, said loudly, if there is no `ccx`. Units: Hz.
+pub fn frequencies(structure: &Structure, count: usize) -> Option<Vec<f64>> {
+    if Command::new("ccx").arg("-v").output().is_err() {
+        eprintln!("SKIPPED: no ccx (Debian: calculix-ccx)");
+        return None;
+    }
+    if !structure.masses.is_empty() {
+        eprintln!(
+            "SKIPPED: CalculiX 2.20 refuses a mass at the point of a held rigid body (add_bo_st: coefficient should be 0)"
+        );
+        return None;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("structure.inp"), deck(structure, count)).unwrap();
+    let run =
+        Command::new("ccx").arg("structure").current_dir(folder.path()).env("OMP_NUM_THREADS", "1").output();
+    let run = run.unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
+    Some(read(&folder.path().join("structure.dat"), count))
+}
+
+/// The column CYCLES/TIME of the table of eigenvalues.
+fn read(path: &Path, count: usize) -> Vec<f64> {
+    let text = std::fs::read_to_string(path).unwrap();
+    let rows = text.lines().skip_while(|line| !line.contains("E I G E N V A L U E")).skip(1);
+    let numbers = rows.take_while(|line| !line.contains("P A R T I C I P A T I O N")).filter_map(|line| {
+        let fields: Vec<f64> = line.split_whitespace().map_while(|field| field.parse().ok()).collect();
+        (fields.len() == 5).then(|| fields[3])
+    });
+    let found: Vec<f64> = numbers.collect();
+    assert!(found.len() >= count, "{count} frequencies expected:\n{text}");
+    found
+}
+
+fn deck(structure: &Structure, count: usize) -> String {
+    let mut text = String::from("*NODE, NSET=ALL\n");
+    let mut first = Vec::new();
+    let mut last = 0;
+    for part in &structure.parts {
+        first.push(last + 1);
+        for [x, y, z] in &part.model.nodes.positions {
+            last += 1;
+            writeln!(text, "{last}, {x:.12e}, {y:.12e}, {z:.12e}").unwrap();
+        }
+    }
+    // Behind the solids' nodes a reference node and a rotation node for each interface.
+    let mut points = Vec::new();
+    for part in &structure.parts {
+        let mut of_part = Vec::new();
+        for interface in &part.interfaces {
+            let [x, y, z] = interface.reference_point();
+            writeln!(text, "{}, {x:.12e}, {y:.12e}, {z:.12e}", last + 1).unwrap();
+            writeln!(text, "{}, {x:.12e}, {y:.12e}, {z:.12e}", last + 2).unwrap();
+            of_part.push(last + 1);
+            last += 2;
+        }
+        points.push(of_part);
+    }
+    // Node and direction of a motion.
+    let place = |motion: &Motion| {
+        let point = points[motion.part][motion.interface];
+        if motion.axis < 3 { (point, motion.axis + 1) } else { (point + 1, motion.axis - 2) }
+    };
+    let mut number = 0;
+    for (index, part) in structure.parts.iter().enumerate() {
+        writeln!(text, "*ELEMENT, TYPE=C3D20, ELSET={}", part.name).unwrap();
+        for element in &part.model.elements {
+            number += 1;
+            let mut fields = vec![number.to_string()];
+            fields.extend(element.nodes.iter().map(|node| (first[index] + node).to_string()));
+            let lines: Vec<String> = fields.chunks(11).map(|line| line.join(", ")).collect();
+            writeln!(text, "{}", lines.join(",\n")).unwrap();
+        }
+        let material = &part.material;
+        write!(
+            text,
+            "*MATERIAL, NAME={0}\n*ELASTIC\n{1:e}, {2}\n*DENSITY\n{3}\n*SOLID SECTION, ELSET={0}, MATERIAL={0}\n",
+            part.name, material.youngs_modulus, material.poisson_ratio, material.density
+        )
+        .unwrap();
+        for (k, interface) in part.interfaces.iter().enumerate() {
+            writeln!(text, "*NSET, NSET={}_{k}", part.name).unwrap();
+            for node in interface.nodes() {
+                writeln!(text, "{},", first[index] + node).unwrap();
+            }
+            let point = points[index][k];
+            writeln!(text, "*RIGID BODY, NSET={}_{k}, REF NODE={point}, ROT NODE={}", part.name, point + 1)
+                .unwrap();
+        }
+    }
+    for (first, second) in &structure.shared {
+        let ((a, i), (b, j)) = (place(second), place(first));
+        writeln!(text, "*EQUATION\n2\n{a}, {i}, 1., {b}, {j}, -1.").unwrap();
+    }
+    for (k, (motion, stiffness)) in structure.springs.iter().enumerate() {
+        let (node, direction) = place(motion);
+        number += 1;
+        writeln!(text, "*ELEMENT, TYPE=SPRING1, ELSET=SPRING{k}\n{number}, {node}").unwrap();
+        writeln!(text, "*SPRING, ELSET=SPRING{k}\n{direction}\n{stiffness:.9e}").unwrap();
+    }
+    text.push_str("*BOUNDARY\n");
+    for motion in &structure.held {
+        let (node, direction) = place(motion);
+        writeln!(text, "{node}, {direction}, {direction}").unwrap();
+    }
+    writeln!(text, "*STEP\n*FREQUENCY\n{}\n*END STEP", count + 4).unwrap();
+    text
+}

@@ -1,0 +1,181 @@
+/* A marker in a state: the lever arm, and how the material there is turned by the modes. */
+typedef struct {
+    int body;
+    int modes;
+    const real *axes;
+    real arm[3];
+//@ if FLEXIBLE
+    const marker_shape *shape;
+    real half[3];
+    real share;
+//@ end
+} placed_marker;
+
+//@ if FLEXIBLE
+/* What modes with these coefficients do at a marker, along x, y and z. */
+static void combine(int modes, const real *rows, const real *amounts, real vector[3])
+{
+    int axis;
+    int k;
+    for (axis = 0; axis < 3; axis++) {
+        real sum = (real)0;
+        for (k = 0; k < modes; k++) {
+            sum += rows[MODES * axis + k] * amounts[k];
+        }
+        vector[axis] = sum;
+    }
+}
+
+//@ end
+static void place_marker(int marker, const workspace *work, placed_marker *placed)
+{
+    const marker_place *place = &markers[marker];
+    placed->body = place->body;
+    placed->modes = 0;
+    placed->axes = work->bodies[place->body].axes;
+    copy(3, place->position, placed->arm);
+//@ if FLEXIBLE
+    placed->shape = NULL;
+    fill(3, (real)0, placed->half);
+    placed->share = (real)1;
+    if (place->shape >= 0) {
+        const real *q = work->state.bodies[place->body].q;
+        real vector[3];
+        placed->shape = &shapes[place->shape];
+        placed->modes = flexible_bodies[flexible_of[place->body]].modes;
+        combine(placed->modes, placed->shape->translation, q, vector);
+        add_scaled(3, (real)1, vector, placed->arm);
+        combine(placed->modes, placed->shape->rotation, q, vector);
+        add_scaled(3, (real)0.5, vector, placed->half);
+        placed->share = (real)1 / ((real)1 + dot(placed->half, placed->half));
+    }
+//@ end
+}
+
+/* Velocities [v; omega] (inertial) at a marker from velocities or accelerations of its body, without bias. */
+static void marker_twist(const placed_marker *placed, const real *moving, real twist[6])
+{
+    real vector[3];
+    cross(&moving[3], placed->arm, vector);
+    copy(6, moving, twist);
+    add_scaled(3, (real)1, vector, twist);
+//@ if FLEXIBLE
+    if (placed->shape != NULL) {
+        real turning[3];
+        combine(placed->modes, placed->shape->translation, &moving[6], vector);
+        add_scaled(3, (real)1, vector, twist);
+        combine(placed->modes, placed->shape->rotation, &moving[6], turning);
+        cross(placed->half, turning, vector);
+        add_scaled(3, (real)1, vector, turning);
+        add_scaled(3, placed->share, turning, &twist[3]);
+    }
+//@ end
+    along_axes(placed->axes, &twist[0], &twist[0]);
+    along_axes(placed->axes, &twist[3], &twist[3]);
+}
+
+/* The generalised force of a force and a moment (inertial) at a marker. */
+static void marker_force(const placed_marker *placed, const real force[3], const real moment[3], real *generalised)
+{
+    real vector[3];
+    components_along(placed->axes, force, &generalised[0]);
+    components_along(placed->axes, moment, &generalised[3]);
+//@ if FLEXIBLE
+    if (placed->shape != NULL) {
+        real share[3];
+        int k;
+        cross(placed->half, &generalised[3], vector);
+        for (k = 0; k < 3; k++) {
+            share[k] = (generalised[3 + k] - vector[k]) * placed->share;
+        }
+        for (k = 0; k < placed->modes; k++) {
+            const real *along = &placed->shape->translation[k];
+            const real *about = &placed->shape->rotation[k];
+            generalised[6 + k] = along[0] * generalised[0] + along[MODES] * generalised[1]
+                + along[2 * MODES] * generalised[2] + about[0] * share[0] + about[MODES] * share[1]
+                + about[2 * MODES] * share[2];
+        }
+    }
+//@ end
+    cross(placed->arm, &generalised[0], vector);
+    add_scaled(3, (real)1, vector, &generalised[3]);
+}
+
+/* Place and motion of a triad at a marker or on the ground. */
+static void attachment_motion(const attachment *at, const workspace *work, motion *moving)
+{
+    placed_marker placed;
+    const body_state *state;
+    real vector[3];
+    real carried[3];
+    real orientation[4];
+    int k;
+    if (at->marker < 0) {
+        copy(3, at->position, moving->position);
+        copy(4, at->orientation, moving->orientation);
+        fill(3, (real)0, moving->velocity);
+        fill(3, (real)0, moving->omega);
+        fill(3, (real)0, moving->bias);
+        fill(3, (real)0, moving->omega_bias);
+        return;
+    }
+    place_marker(at->marker, work, &placed);
+    state = &work->state.bodies[placed.body];
+    cross(state->omega, placed.arm, carried);
+    copy(3, state->omega, moving->omega);
+    fill(3, (real)0, moving->omega_bias);
+    copy(3, carried, vector);
+    copy(4, state->orientation, orientation);
+//@ if FLEXIBLE
+    if (placed.shape != NULL) {
+        const real none[4] = {(real)1, (real)0, (real)0, (real)0};
+        real shift[3];
+        real turning[3];
+        real spin[3];
+        real twice[3];
+        real slowing;
+        real rotation[4];
+        combine(placed.modes, placed.shape->translation, state->q_dot, shift);
+        combine(placed.modes, placed.shape->rotation, state->q_dot, turning);
+        cross(placed.half, turning, spin);
+        slowing = dot(placed.half, turning) * placed.share;
+        for (k = 0; k < 3; k++) {
+            spin[k] = (turning[k] + spin[k]) * placed.share;
+            carried[k] += shift[k];
+            vector[k] = carried[k] + shift[k];
+            twice[k] = placed.half[k] * (real)2;
+        }
+        cross(state->omega, spin, moving->omega_bias);
+        add_scaled(3, -slowing, spin, moving->omega_bias);
+        add_scaled(3, (real)1, spin, moving->omega);
+        turned(none, twice, rotation);
+        quaternion_product(state->orientation, rotation, orientation);
+    }
+//@ end
+    cross(state->omega, vector, moving->bias);
+    along_axes(placed.axes, moving->bias, moving->bias);
+    along_axes(placed.axes, moving->omega_bias, moving->omega_bias);
+    along_axes(placed.axes, moving->omega, moving->omega);
+    along_axes(placed.axes, placed.arm, vector);
+    along_axes(placed.axes, carried, carried);
+    for (k = 0; k < 3; k++) {
+        moving->position[k] = state->position[k] + vector[k];
+        moving->velocity[k] = state->velocity[k] + carried[k];
+    }
+    quaternion_product(orientation, at->orientation, moving->orientation);
+}
+
+//@ if FORCES
+/* Adds a force and a moment (inertial) at an attachment to the forces on its body. */
+static void push(const attachment *at, const real force[3], const real moment[3], workspace *work)
+{
+    placed_marker placed;
+    real generalised[VELOCITIES];
+    if (at->marker < 0) {
+        return;
+    }
+    place_marker(at->marker, work, &placed);
+    marker_force(&placed, force, moment, generalised);
+    add_scaled(6 + placed.modes, (real)1, generalised, work->bodies[placed.body].force);
+}
+//@ end
