@@ -4,15 +4,18 @@
 //! [--threads 2] [--write FOLDER] [--no-solve]`. With `--clamped`, the face x = 0 is held. With `--write`, K, M_s and
 //! the rows of the held nodes are written as plain arrays for other programs (`benches/peers/brick.sh`).
 
+#[path = "measured/mod.rs"]
+mod measured;
+
 use std::error::Error;
-use std::fs::{self, File};
-use std::io::{BufWriter, Write as _};
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::PathBuf;
 use std::time::Instant;
 
-use ffrf_fe::SparseMatrix;
 use ffrf_fe::elements::{Material, brick};
-use ffrf_fe::modes::{ModeRequest, Progress, Stage, compute_modes};
+use ffrf_fe::modes::{ModeRequest, compute_modes};
+
+use measured::{Phases, peak_megabytes, write_indices, write_matrix};
 
 struct Options {
     divisions: [usize; 3],
@@ -54,14 +57,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         ModeRequest::free_free(options.modes)
     };
     let request = ModeRequest { threads: options.threads, ..request };
-    let mut phases = Phases { last: Instant::now(), stage: Stage::Ordering, lines: Vec::new() };
+    let mut phases = Phases::begin();
     let start = Instant::now();
     let solution = compute_modes(&model, &request, &mut |progress| phases.enter(progress))?;
     let seconds = start.elapsed().as_secs_f64();
     phases.close();
-    for line in &phases.lines {
-        println!("{line}");
-    }
     println!("{}", solution.report);
     let residuals = solution.report.modes.iter().filter_map(|mode| mode.residual);
     println!("largest_residual {:.1e}", residuals.fold(0.0_f64, f64::max));
@@ -71,32 +71,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("frequency_hz {:?}", mode.frequency_hz.unwrap_or(f64::NAN));
     }
     Ok(())
-}
-
-/// Seconds of each stage, told apart by progress reports.
-struct Phases {
-    last: Instant,
-    stage: Stage,
-    lines: Vec<String>,
-}
-
-impl Phases {
-    fn enter(&mut self, progress: Progress) {
-        if progress.stage != self.stage {
-            self.close();
-            self.stage = progress.stage;
-        }
-    }
-
-    fn close(&mut self) {
-        self.lines.push(format!(
-            "{} {:.2} s, peak memory {:.0} MB",
-            self.stage,
-            self.last.elapsed().as_secs_f64(),
-            peak_megabytes()
-        ));
-        self.last = Instant::now();
-    }
 }
 
 fn parse() -> Result<Options, Box<dyn Error>> {
@@ -120,30 +94,4 @@ fn parse() -> Result<Options, Box<dyn Error>> {
         }
     }
     Ok(options)
-}
-
-/// Compressed columns as three little-endian arrays: `NAME.starts`, `NAME.rows` (u64) and `NAME.values` (f64).
-fn write_matrix(folder: &Path, name: &str, matrix: &SparseMatrix) -> std::io::Result<()> {
-    write_indices(&folder.join(format!("{name}.starts")), matrix.symbolic().col_ptr())?;
-    write_indices(&folder.join(format!("{name}.rows")), matrix.symbolic().row_idx())?;
-    let mut file = BufWriter::new(File::create(folder.join(format!("{name}.values")))?);
-    matrix.val().iter().try_for_each(|value| file.write_all(&value.to_le_bytes()))?;
-    file.flush()
-}
-
-fn write_indices(path: &Path, indices: &[usize]) -> std::io::Result<()> {
-    let mut file = BufWriter::new(File::create(path)?);
-    indices.iter().try_for_each(|&index| file.write_all(&(index as u64).to_le_bytes()))?;
-    file.flush()
-}
-
-/// Largest resident memory of this process so far, where the system tells it; 0 elsewhere.
-fn peak_megabytes() -> f64 {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let kilobytes = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))
-        .and_then(|rest| rest.split_whitespace().next())
-        .and_then(|number| number.parse::<f64>().ok());
-    kilobytes.unwrap_or(0.0) / 1024.0
 }

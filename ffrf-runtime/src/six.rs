@@ -108,7 +108,6 @@ pub(crate) fn sum<T: RealField + Copy>([a, b, c, d, e, f]: &[T; 6]) -> T {
 
 /// Transposes in place.
 #[inline]
-#[allow(clippy::absurd_extreme_comparisons)] // the comparison is one of constants: always false for the first of them
 pub(crate) fn transpose<T: RealField + Copy>(square: &mut Square<T>) {
     for i in 1..6 {
         for j in 0..i {

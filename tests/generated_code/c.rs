@@ -1,8 +1,6 @@
 //! Generated C: committed texts are up to date, compilers have nothing to complain about, and it computes what Rust does.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
-use std::path::Path;
-
 use ffrf::nalgebra::{SVector, Vector3};
 use ffrf::{DenseForms, FlexibleBody, GeneralisedForce, Observables};
 use ffrf_codegen::formulate::KERNELS;
@@ -14,7 +12,8 @@ use ffrf_test_kit::random::Random;
 
 use crate::bodies::all;
 use crate::c_program::{CProgram, Inputs};
-use crate::{UPDATE, general_m2, single_m3};
+use crate::committed::Committed;
+use crate::{general_m2, single_m3};
 
 /// Sums of a few hundred products, in another order, of numbers of order one.
 const POLYNOMIAL: f64 = 1e-13;
@@ -30,25 +29,14 @@ fn find(wanted: &str) -> (ReducedBody, GenerateOptions) {
 
 #[test]
 fn committed_texts_are_what_the_generator_prints() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
-    let mut stale = Vec::new();
+    let mut committed = Committed::default();
     for name in ["general_m2", "single_m3"] {
         let (body, options) = find(name);
         let code = generate_c(&body, &options).unwrap();
-        for (ending, text) in [("h", code.header), ("c", code.source)] {
-            let path = folder.join(format!("{name}.{ending}"));
-            if std::fs::read_to_string(&path).unwrap_or_default() != text {
-                if std::env::var_os(UPDATE).is_some() {
-                    std::fs::write(&path, text).unwrap();
-                }
-                stale.push(path);
-            }
-        }
+        committed.compare(&format!("{name}.h"), &code.header);
+        committed.compare(&format!("{name}.c"), &code.source);
     }
-    assert!(
-        stale.is_empty(),
-        "stale: {stale:?}; run `{UPDATE}=1 cargo test -p ffrf --test generated_code` and read the difference"
-    );
+    committed.assert_current();
 }
 
 fn inputs(mode_count: usize, random: &mut Random) -> Inputs {

@@ -21,13 +21,13 @@ const FLAGS: [&str; 9] = [
 ];
 
 /// The compilers that are tried; each that is there must accept the code, the first runs it.
-pub const COMPILERS: [&str; 2] = ["gcc", "clang"];
+const COMPILERS: [&str; 2] = ["gcc", "clang"];
 
 /// The compiler of a microcontroller and its core: if it is there, it must accept the code as well. What it makes runs
 /// elsewhere.
-pub const CROSS_COMPILER: &str = "arm-none-eabi-gcc";
+const CROSS_COMPILER: &str = "arm-none-eabi-gcc";
 /// A Cortex-M4F.
-pub const CORE: [&str; 4] = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"];
+const CORE: [&str; 4] = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"];
 
 /// All inputs that kernels have.
 pub struct Inputs {
@@ -64,23 +64,16 @@ impl CProgram {
         std::fs::write(path("single.c"), &code.single).unwrap();
         std::fs::write(path("main.c"), main_program(&functions, code)).unwrap();
         let mut is_compiled = false;
-        for compiler in COMPILERS {
-            let exists = Command::new(compiler).arg("--version").output().is_ok();
-            if !exists {
-                eprintln!("SKIPPED: no {compiler} here");
-                continue;
-            }
+        for compiler in COMPILERS.into_iter().filter(|compiler| is_here(compiler)) {
             let program = if is_compiled { "other" } else { "program" };
             compile(compiler, folder.path(), &["kernels.c", "main.c", "-lm", "-o", program]);
             compile(compiler, folder.path(), &["-c", "single.c", "-o", "single.o"]);
             is_compiled = true;
         }
-        if Command::new(CROSS_COMPILER).arg("--version").output().is_ok() {
+        if is_here(CROSS_COMPILER) {
             for (source, object) in [("kernels.c", "kernels.o"), ("single.c", "cross.o")] {
                 compile(CROSS_COMPILER, folder.path(), &[&CORE[..], &["-c", source, "-o", object]].concat());
             }
-        } else {
-            eprintln!("SKIPPED: no {CROSS_COMPILER} here");
         }
         is_compiled.then_some(Self { folder, functions })
     }
@@ -146,10 +139,56 @@ impl std::ops::Index<&str> for Results {
     }
 }
 
+/// Whether there is such a compiler; says so if not.
+fn is_here(compiler: &str) -> bool {
+    let is_here = Command::new(compiler).arg("--version").output().is_ok();
+    if !is_here {
+        eprintln!("SKIPPED: no {compiler} here");
+    }
+    is_here
+}
+
 /// Compiles without a warning.
-pub fn compile(compiler: &str, folder: &Path, arguments: &[&str]) {
+fn compile(compiler: &str, folder: &Path, arguments: &[&str]) {
     let output = Command::new(compiler).args(FLAGS).args(arguments).current_dir(folder).output().unwrap();
     assert!(output.status.success(), "{compiler}: {}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// The lines of numbers that a program about generated code (header, source, both in one text) prints, the same by every
+/// compiler; none without a compiler.
+pub fn printed(prefix: &str, [header, source, single]: [&str; 3], program: &str) -> Option<Vec<Vec<f64>>> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::write(path(&format!("{prefix}.h")), header).unwrap();
+    std::fs::write(path("generated.c"), source).unwrap();
+    std::fs::write(path("single.c"), single).unwrap();
+    std::fs::write(path("main.c"), program).unwrap();
+    if is_here(CROSS_COMPILER) {
+        let arguments = [&CORE[..], &["-c", "generated.c", "-o", "cross.o"]].concat();
+        compile(CROSS_COMPILER, folder.path(), &arguments);
+    }
+    let mut lines: Option<Vec<Vec<f64>>> = None;
+    for compiler in COMPILERS.into_iter().filter(|compiler| is_here(compiler)) {
+        compile(compiler, folder.path(), &["-c", "single.c", "-o", "single.o"]);
+        compile(compiler, folder.path(), &["generated.c", "main.c", "-lm", "-o", compiler]);
+        let output = Command::new(path(compiler)).output().unwrap();
+        assert!(output.status.success(), "{compiler}: {:?}", output.status);
+        let text = String::from_utf8(output.stdout).unwrap();
+        let found: Vec<Vec<f64>> =
+            text.lines().map(|line| line.split_whitespace().map(|x| x.parse().unwrap()).collect()).collect();
+        // every compiler makes the same bits
+        assert!(lines.is_none() || lines.as_ref() == Some(&found), "{compiler} computes otherwise");
+        lines = Some(found);
+    }
+    lines
+}
+
+/// The largest difference in units in the last place of the largest expected number.
+pub fn last_places(found: &[f64], expected: &[f64], epsilon: f64) -> f64 {
+    assert_eq!(found.len(), expected.len());
+    let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    let largest = found.iter().zip(expected).fold(0.0_f64, |largest, (a, b)| largest.max((a - b).abs()));
+    largest / (epsilon * size)
 }
 
 /// The prototypes of a header.

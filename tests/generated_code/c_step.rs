@@ -2,14 +2,13 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::fmt::Write as _;
-use std::process::Command;
 
 use ffrf::nalgebra::{Quaternion, RealField, SVector, UnitQuaternion, Vector3};
 use ffrf::{FlexibleBody, FreeBody, Gravity};
 use ffrf_codegen::{GeneratedC, generate_c};
 
 use crate::bodies::all;
-use crate::c_program::{COMPILERS, CORE, CROSS_COMPILER, compile};
+use crate::c_program::{last_places, printed};
 use crate::{general_m2, rigid, single_m3};
 
 /// Steps that are compared.
@@ -49,37 +48,6 @@ where
             free.state.numbers().map(Into::into).collect()
         })
         .collect()
-}
-
-/// The states of the steps in C; none without a compiler.
-fn in_c(code: &GeneratedC, modes: usize, single: bool, step: f64) -> Option<Vec<Vec<f64>>> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = |name: &str| folder.path().join(name);
-    std::fs::write(path(&format!("{}.h", code.prefix)), &code.header).unwrap();
-    std::fs::write(path("body.c"), &code.source).unwrap();
-    std::fs::write(path("main.c"), program(code, modes, single, step)).unwrap();
-    if Command::new(CROSS_COMPILER).arg("--version").output().is_ok() {
-        compile(CROSS_COMPILER, folder.path(), &[&CORE[..], &["-c", "body.c", "-o", "cross.o"]].concat());
-    } else {
-        eprintln!("SKIPPED: no {CROSS_COMPILER} here");
-    }
-    let mut states: Option<Vec<Vec<f64>>> = None;
-    for compiler in COMPILERS {
-        if Command::new(compiler).arg("--version").output().is_err() {
-            eprintln!("SKIPPED: no {compiler} here");
-            continue;
-        }
-        compile(compiler, folder.path(), &["body.c", "main.c", "-lm", "-o", compiler]);
-        let output = Command::new(path(compiler)).output().unwrap();
-        assert!(output.status.success(), "{compiler}: {:?}", output.status);
-        let text = String::from_utf8(output.stdout).unwrap();
-        let found: Vec<Vec<f64>> =
-            text.lines().map(|line| line.split_whitespace().map(|x| x.parse().unwrap()).collect()).collect();
-        // every compiler makes the same bits
-        assert!(states.is_none() || states.as_ref() == Some(&found), "{compiler} computes otherwise");
-        states = Some(found);
-    }
-    states
 }
 
 /// A program that steps and prints every state to its last bit, once it has seen what is refused.
@@ -136,16 +104,15 @@ fn program(code: &GeneratedC, modes: usize, single: bool, step: f64) -> String {
 
 fn compare(name: &str, modes: usize, epsilon: f64, step: f64, expected: &[Vec<f64>]) {
     let (_, body, options) = all().into_iter().find(|(known, ..)| *known == name).unwrap();
-    let Some(found) = in_c(&generate_c(&body, &options).unwrap(), modes, epsilon > f64::EPSILON, step) else {
+    let code = generate_c(&body, &options).unwrap();
+    let program = program(&code, modes, epsilon > f64::EPSILON, step);
+    let Some(found) = printed(&code.prefix, [&code.header, &code.source, &code.single], &program) else {
         return;
     };
     assert_eq!(found.len(), STEPS);
     let mut worst = 0.0_f64;
     for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
-        assert_eq!(found.len(), expected.len());
-        let scale = expected.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
-        let largest = found.iter().zip(expected).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-        let places = largest / (epsilon * scale);
+        let places = last_places(found, expected, epsilon);
         assert!(places.is_finite());
         worst = worst.max(places / (index + 1) as f64);
     }

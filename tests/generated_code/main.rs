@@ -7,6 +7,7 @@ mod c;
 mod c_mechanism;
 mod c_program;
 mod c_step;
+mod committed;
 mod jacobians;
 #[rustfmt::skip]
 #[path = "../golden/constant_m2.rs"]
@@ -42,44 +43,27 @@ mod stiffened_m2;
 use std::path::Path;
 
 use bodies::all;
+use committed::Committed;
 use ffrf_codegen::{Kernels, generate};
 use ffrf_test_kit::random_body::{Modes, random_body};
 use ffrf_test_kit::witness;
 
-/// Set to rewrite the committed files.
-const UPDATE: &str = "FFRF_UPDATE_GOLDEN";
-
 #[test]
 fn committed_code_is_what_the_generator_prints() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
-    let mut stale = Vec::new();
+    let mut committed = Committed::default();
     for (name, body, options) in all() {
         let text = generate(&body, &options).unwrap().text;
         // A second run prints the same bytes.
         assert_eq!(text, generate(&body, &options).unwrap().text);
-        let path = folder.join(format!("{name}.rs"));
-        let committed = std::fs::read_to_string(&path).unwrap_or_default();
         let text = format!("//! Generated code, committed: see tests/generated_code/main.rs.\n\n{text}");
-        if committed != text {
-            stale.push(name);
-            if std::env::var_os(UPDATE).is_some() {
-                std::fs::write(&path, text).unwrap();
-            }
-        }
+        committed.compare(&format!("{name}.rs"), &text);
     }
     // The model that tests/macro_bodies/models.rs names.
     let model = random_body(11, 4, Modes::Random);
-    let path = folder.join("../models/random_m4.ffrf.json");
-    if ffrf_model::ReducedBody::read(&path).ok().as_ref() != Some(&model) {
-        stale.push("random_m4");
-        if std::env::var_os(UPDATE).is_some() {
-            model.write(&path).unwrap();
-        }
-    }
-    assert!(
-        stale.is_empty(),
-        "stale: {stale:?}; run `{UPDATE}=1 cargo test -p ffrf --test generated_code` and read the difference"
-    );
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models/random_m4.ffrf.json");
+    let is_current = ffrf_model::ReducedBody::read(&path).ok().as_ref() == Some(&model);
+    committed.note("random_m4", is_current, || model.write(&path).unwrap());
+    committed.assert_current();
 }
 
 #[test]

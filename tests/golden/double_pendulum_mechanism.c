@@ -44,7 +44,6 @@ enum {
     ACTUATORS = 0,
     SENSORS = 2,
     CORRECTIONS = 8,
-    REDUNDANT = 0,
     REFINEMENTS = 0,
     REFINEMENTS_OF_CORRECTIONS = 0
 };
@@ -914,15 +913,14 @@ static void load(const mechanism_inputs *inputs, workspace *work)
     (void)inputs;
 }
 
-/* Puts the rows of a link on one of its bodies into the matrix; adds what they meet there to `met`. */
-static void attach(int index, int end, workspace *work, real met[6])
+/* Puts the rows of a link on one of its bodies into the matrix; of a joint in a loop, sums what its rows meet there. */
+static void attach(int index, int end, workspace *work)
 {
     const link_place *link = &links[index];
     const end_place *place = &link->ends[end];
     const real *gradients = work->rows[index].gradients[end];
     real *block;
     placed_marker placed;
-    const body_work *body;
     real generalised[VELOCITIES];
     int row;
     int k;
@@ -930,7 +928,6 @@ static void attach(int index, int end, workspace *work, real met[6])
         return;
     }
     place_marker(link->at[end].marker, work, &placed);
-    body = &work->bodies[placed.body];
     block = &work->blocks[36 * place->block];
     for (row = 0; row < work->rows[index].count; row++) {
         real force[3];
@@ -941,10 +938,6 @@ static void attach(int index, int end, workspace *work, real met[6])
         }
         marker_force(&placed, force, moment, generalised);
         for (k = 0; k < 6; k++) {
-            const real mass = body->remaining[7 * k];
-            if (mass > (real)0) {
-                met[row] += generalised[k] * generalised[k] / mass;
-            }
             block[place->transposed != 0 ? 6 * row + k : 6 * k + row] = generalised[k];
         }
     }
@@ -954,7 +947,6 @@ static void attach(int index, int end, workspace *work, real met[6])
 static int factor(const stage_terms *terms, workspace *work)
 {
     int index;
-    int k;
     fill(36 * BLOCKS, (real)0, work->blocks);
     for (index = 0; index < BODIES; index++) {
         if (!factor_body(index, &work->state.bodies[index], terms, &work->bodies[index])) {
@@ -963,20 +955,8 @@ static int factor(const stage_terms *terms, workspace *work)
         copy(36, work->bodies[index].remaining, &work->blocks[36 * body_diagonals[index]]);
     }
     for (index = 0; index < LINKS; index++) {
-        const link_place *link = &links[index];
-        real met[6] = {(real)0, (real)0, (real)0, (real)0, (real)0, (real)0};
-        real *diagonal = &work->blocks[36 * link->diagonal];
-        attach(index, 0, work, met);
-        attach(index, 1, work, met);
-        for (k = 0; k < link->rows; k++) {
-            if (index >= JOINTS) {
-                diagonal[7 * k] -= (real)1;
-            } else if (REDUNDANT) {
-                const real shift = SHARE * (met[k] - diagonal[7 * k]);
-                work->shift[6 * link->node + k] = shift;
-                diagonal[7 * k] -= shift;
-            }
-        }
+        attach(index, 0, work);
+        attach(index, 1, work);
     }
     return factor_blocks(work->blocks) ? DONE : NO_MASS;
 }

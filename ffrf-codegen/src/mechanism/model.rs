@@ -141,6 +141,11 @@ pub struct AttachmentModel {
     pub orientation: [f64; 4],
 }
 
+impl AttachmentModel {
+    /// The inertial triad.
+    pub const GROUND: Self = Self { marker: None, position: [0.0; 3], orientation: [1.0, 0.0, 0.0, 0.0] };
+}
+
 /// A joint, or the drive of one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointModel {

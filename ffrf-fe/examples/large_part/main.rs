@@ -5,17 +5,18 @@
 //! [--write FOLDER] [--no-solve]`. With `--write`, K, M_s, the positions and the rows of the interfaces are written as plain
 //! arrays for other programs.
 
+#[path = "../measured/mod.rs"]
+mod measured;
 mod mesh;
 
 use std::error::Error;
-use std::fs::{self, File};
-use std::io::{BufWriter, Write as _};
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::PathBuf;
 use std::time::Instant;
 
-use ffrf_fe::SparseMatrix;
 use ffrf_fe::component_modes::{ComponentBasis, ComponentRequest, Interface, component_modes};
-use ffrf_fe::modes::{Progress, Stage};
+
+use measured::{Phases, peak_megabytes, write_indices, write_matrix, write_numbers};
 
 struct Options {
     dofs: usize,
@@ -66,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         threads: options.threads,
         ..ComponentRequest::craig_bampton(interfaces, options.modes)
     };
-    let mut phases = Phases { last: Instant::now(), stage: Stage::Ordering };
+    let mut phases = Phases::begin();
     let (start, start_of_work) = (Instant::now(), processor_seconds());
     let modes = component_modes(&model, &request, &mut |progress| phases.enter(progress))?;
     let seconds = start.elapsed().as_secs_f64();
@@ -85,27 +86,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("frequency_hz {:?}", mode.frequency_hz.unwrap_or(f64::NAN));
     }
     Ok(())
-}
-
-/// Prints seconds and memory of each stage as it ends.
-struct Phases {
-    last: Instant,
-    stage: Stage,
-}
-
-impl Phases {
-    fn enter(&mut self, progress: Progress) {
-        if progress.stage != self.stage {
-            self.close();
-            self.stage = progress.stage;
-        }
-    }
-
-    fn close(&mut self) {
-        let seconds = self.last.elapsed().as_secs_f64();
-        println!("{} {seconds:.2} s, peak memory {:.0} MB", self.stage, peak_megabytes());
-        self.last = Instant::now();
-    }
 }
 
 fn parse() -> Result<Options, Box<dyn Error>> {
@@ -162,40 +142,10 @@ fn one_of<T: Copy, const N: usize>(word: &str, choices: [(&str, T); N]) -> Resul
         .ok_or_else(|| format!("{word}: expected {:?}", choices.map(|(name, _)| name)))
 }
 
-/// Compressed columns as three little-endian arrays: `NAME.starts`, `NAME.rows` (u64) and `NAME.values` (f64).
-fn write_matrix(folder: &Path, name: &str, matrix: &SparseMatrix) -> std::io::Result<()> {
-    write_indices(&folder.join(format!("{name}.starts")), matrix.symbolic().col_ptr())?;
-    write_indices(&folder.join(format!("{name}.rows")), matrix.symbolic().row_idx())?;
-    write_numbers(&folder.join(format!("{name}.values")), matrix.val())
-}
-
-fn write_numbers(path: &Path, numbers: &[f64]) -> std::io::Result<()> {
-    let mut file = BufWriter::new(File::create(path)?);
-    numbers.iter().try_for_each(|value| file.write_all(&value.to_le_bytes()))?;
-    file.flush()
-}
-
-fn write_indices(path: &Path, indices: &[usize]) -> std::io::Result<()> {
-    let mut file = BufWriter::new(File::create(path)?);
-    indices.iter().try_for_each(|&index| file.write_all(&(index as u64).to_le_bytes()))?;
-    file.flush()
-}
-
 /// Processor time of all threads so far, in Linux's ticks of 10 ms; 0 elsewhere.
 fn processor_seconds() -> f64 {
     let status = fs::read_to_string("/proc/self/stat").unwrap_or_default();
     // Behind the name, which may hold blanks, in brackets: user and system time are fields 14 and 15 of the line.
     let fields = status.rsplit(')').next().unwrap_or_default().split_whitespace().skip(11).take(2);
     fields.filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() / 100.0
-}
-
-/// Largest resident memory of this process so far, where the system tells it; 0 elsewhere.
-fn peak_megabytes() -> f64 {
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let kilobytes = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))
-        .and_then(|rest| rest.split_whitespace().next())
-        .and_then(|number| number.parse::<f64>().ok());
-    kilobytes.unwrap_or(0.0) / 1024.0
 }

@@ -2,6 +2,7 @@
 
 use ffrf_fe::elements::{ElementError, Material, assemble, brick};
 use ffrf_fe::{Element, ElementKind, FeModel, Nodes};
+use ffrf_test_kit::random::Random;
 
 /// Edge of an element. Units: m.
 const EDGE: f64 = 0.01;
@@ -26,19 +27,14 @@ pub fn tetrahedra(divisions: [usize; 3]) -> Result<FeModel, ElementError> {
     let counts = divisions.map(|division| 2 * division + 1);
     let row = |[i, j, k]: [usize; 3]| (k * counts[1] + j) * counts[0] + i;
     let mut positions = vec![[0.0; 3]; counts.iter().product()];
-    let mut state = 1_u64;
-    let mut random = || {
-        // Knuth, TAOCP 2, 3.3.4: the upper half of a linear congruential generator of 64 bits.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 32) as f64 / f64::from(u32::MAX) * 2.0 - 1.0
-    };
+    let mut random = Random::new(1);
     for k in (0..counts[2]).step_by(2) {
         for j in (0..counts[1]).step_by(2) {
             for i in (0..counts[0]).step_by(2) {
                 let at = [i, j, k];
                 positions[row(at)] = [0, 1, 2].map(|axis| {
                     let is_inside = at[axis] > 0 && at[axis] + 1 < counts[axis];
-                    let moved = JITTER * random() * f64::from(u8::from(is_inside));
+                    let moved = JITTER * random.number() * f64::from(u8::from(is_inside));
                     EDGE * ((at[axis] / 2) as f64 + moved)
                 });
             }

@@ -20,10 +20,12 @@ impl Scene {
     ///
     /// Errors: what generated C does not have is named; the scene cannot be assembled.
     pub fn mechanism_model(&self, source_name: &str) -> Result<MechanismModel, SceneError> {
+        let method = self.method_in_c()?;
+        let Treatment::Projection { iterations, tolerance } = self.settings.treatment else {
+            return Err(refused("simulation.constraints", "`projection`", "another treatment"));
+        };
         self.check_for_c()?;
-        let (StepChoice::Fixed(step), Treatment::Projection { iterations, tolerance }) =
-            (self.settings.step, self.settings.treatment)
-        else {
+        let StepChoice::Fixed(step) = self.settings.step else {
             return Err(refused(
                 "simulation",
                 "a fixed `step` and `constraints = \"projection\"`",
@@ -65,37 +67,34 @@ impl Scene {
             actuators,
             sensors,
             gravity: self.mechanism.gravity().into(),
-            method: match self.settings.integrator {
-                Integrator::SymplecticEuler => StepMethod::SymplecticEuler,
-                Integrator::LinearlyImplicit => StepMethod::LinearlyImplicit,
-                Integrator::LinearlyImplicitEuler => StepMethod::LinearlyImplicitEuler,
-                _ => StepMethod::Rk4,
-            },
+            method,
             step,
             corrections: iterations,
             tolerance,
         })
     }
 
-    /// Errors: something that generated C does not have.
-    fn check_for_c(&self) -> Result<(), SceneError> {
-        const METHODS: [Integrator; 4] = [
-            Integrator::Rk4,
-            Integrator::SymplecticEuler,
-            Integrator::LinearlyImplicit,
-            Integrator::LinearlyImplicitEuler,
+    /// Errors: generated C has another integrator, or other coordinates.
+    fn method_in_c(&self) -> Result<StepMethod, SceneError> {
+        const METHODS: [(Integrator, StepMethod); 4] = [
+            (Integrator::Rk4, StepMethod::Rk4),
+            (Integrator::SymplecticEuler, StepMethod::SymplecticEuler),
+            (Integrator::LinearlyImplicit, StepMethod::LinearlyImplicit),
+            (Integrator::LinearlyImplicitEuler, StepMethod::LinearlyImplicitEuler),
         ];
         let integrator = self.settings.integrator;
-        if !METHODS.contains(&integrator) {
-            let names = METHODS.map(Integrator::name).join(", ");
+        let Some((_, method)) = METHODS.iter().find(|(known, _)| *known == integrator) else {
+            let names = METHODS.map(|(known, _)| known.name()).join(", ");
             return Err(refused("simulation.integrator", names, format!("`{}`", integrator.name())));
-        }
+        };
         if self.settings.coordinates == Coordinates::Joint {
             return Err(refused("simulation.constraints", "`projection`", "`minimal`"));
         }
-        if !matches!(self.settings.treatment, Treatment::Projection { .. }) {
-            return Err(refused("simulation.constraints", "`projection`", "another treatment"));
-        }
+        Ok(*method)
+    }
+
+    /// Errors: something that generated C does not have.
+    fn check_for_c(&self) -> Result<(), SceneError> {
         if let Some(event) = self.events.first() {
             return Err(refused("events", "none", format!("`{}`", event.name)));
         }

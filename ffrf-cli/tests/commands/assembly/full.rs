@@ -4,6 +4,7 @@ use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
 use ffrf_fe::SparseMatrix;
+use ffrf_test_kit::random::Random;
 
 use super::structure::{Motion, Structure};
 
@@ -16,12 +17,9 @@ pub fn frequencies(structure: &Structure, count: usize) -> Vec<f64> {
     let size = stiffness.nrows();
     let factor = stiffness.sp_cholesky(Side::Lower).unwrap();
     let width = (2 * count + 8).min(size);
-    // A start that favours no mode. Knuth, TAOCP 2, 3.3.4: the upper half of a linear congruential generator of 64 bits.
-    let mut state = 1_u64;
-    let mut shapes = Mat::from_fn(size, width, |_, _| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 32) as f64 / f64::from(u32::MAX) - 0.5
-    });
+    // A start that favours no mode.
+    let mut random = Random::new(1);
+    let mut shapes = Mat::from_fn(size, width, |_, _| random.number());
     let mut values = Vec::new();
     for _ in 0..ITERATIONS {
         shapes = factor.solve(&mass * &shapes);

@@ -14,6 +14,7 @@ mod markers;
 mod mechanism;
 mod notation;
 mod step;
+mod template;
 mod text;
 
 pub(crate) use self::mechanism::{MechanismSubject, Names, mechanism};
@@ -58,7 +59,7 @@ impl Style {
 
     /// The C name of the scalar type.
     fn type_name(&self) -> &'static str {
-        if self.scalar == ScalarType::F32 { "float" } else { "double" }
+        notation::type_name(self.scalar)
     }
 }
 

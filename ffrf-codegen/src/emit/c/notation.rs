@@ -29,6 +29,11 @@ pub(super) fn number(value: f64, scalar: ScalarType) -> String {
     format!("{}{suffix}", literal(value, scalar))
 }
 
+/// The scalar type.
+pub(super) fn type_name(scalar: ScalarType) -> &'static str {
+    if scalar == ScalarType::F32 { "float" } else { "double" }
+}
+
 /// The function of the library.
 pub(super) fn square_root_name(scalar: ScalarType) -> &'static str {
     if scalar == ScalarType::F32 { "sqrtf" } else { "sqrt" }

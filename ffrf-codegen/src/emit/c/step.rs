@@ -1,10 +1,13 @@
 //! A whole step of the free body: state and classical Runge-Kutta method about the kernels.
 
+use std::collections::BTreeSet;
+
 use super::Style;
 use super::notation::{number, square_root_name};
+use super::template::filled;
 use super::text::Text;
 
-/// The statements, with places for names, sizes and numbers; lines of `@MODES` are for bodies that have any.
+/// The statements, with places for names, sizes and numbers.
 const STEP: &str = include_str!("step.c.txt");
 
 /// Writes the type of the state and the prototype of the step.
@@ -50,24 +53,27 @@ fn prototype(style: &Style) -> String {
 /// Writes the functions.
 pub(super) fn definition(text: &mut Text, style: &Style) {
     let modes = style.mode_count;
+    let features = BTreeSet::from_iter((modes > 0).then_some("MODES"));
     let (q, q_dot) = if modes > 0 { ("state.q, ", "state.q_dot, ") } else { ("", "") };
-    let numbers =
-        [("@HALF", 0.5), ("@ZERO", 0.0), ("@ONE", 1.0), ("@TWO", 2.0), ("@THREE", 3.0), ("@SIX", 6.0)];
-    let sizes = [("@N", 12 + 2 * modes), ("@V", 6 + modes), ("@M", modes)];
-    for line in STEP.lines() {
-        let line = match line.strip_prefix("@MODES") {
-            Some(_) if modes == 0 => continue,
-            Some(rest) => rest,
-            None => line,
-        };
-        let mut line = line.replace("@QDOT", q_dot).replace("@Q", q).replace("@P", &style.prefix);
-        for (name, value) in numbers {
-            line = line.replace(name, &number(value, style.scalar));
-        }
-        line = line.replace("@SQRT", square_root_name(style.scalar)).replace("@T", style.type_name());
-        for (name, size) in sizes {
-            line = line.replace(name, &size.to_string());
-        }
+    let number = |value: f64| number(value, style.scalar);
+    let names = [
+        ("@QDOT", q_dot.to_owned()),
+        ("@Q", q.to_owned()),
+        ("@P", style.prefix.clone()),
+        ("@HALF", number(0.5)),
+        ("@ZERO", number(0.0)),
+        ("@ONE", number(1.0)),
+        ("@TWO", number(2.0)),
+        ("@THREE", number(3.0)),
+        ("@SIX", number(6.0)),
+        ("@SQRT", square_root_name(style.scalar).to_owned()),
+        ("@T", style.type_name().to_owned()),
+        ("@N", (12 + 2 * modes).to_string()),
+        ("@V", (6 + modes).to_string()),
+        ("@M", modes.to_string()),
+    ];
+    let names = names.each_ref().map(|(place, name)| (*place, name.as_str()));
+    for line in filled(STEP, &features, &names).lines() {
         text.line(line);
     }
 }

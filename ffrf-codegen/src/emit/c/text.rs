@@ -65,7 +65,7 @@ impl Text {
 }
 
 /// Text that neither ends a comment nor begins one, and holds no trigraph.
-fn harmless(line: &str) -> String {
+pub(super) fn harmless(line: &str) -> String {
     line.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 }
 

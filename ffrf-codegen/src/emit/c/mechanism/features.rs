@@ -59,6 +59,7 @@ pub(super) fn of(subject: &MechanismSubject<'_>) -> BTreeSet<&'static str> {
             ("FORCES", !(model.elements.is_empty() && model.actuators.is_empty())),
             ("SENSORS", !model.sensors.is_empty()),
             ("REACTION", model.sensors.iter().any(is_reaction)),
+            ("LOOPS", subject.has_loops),
             ("SHARED", !subject.plan.shared.is_empty()),
             ("SOFT", !subject.soft.is_empty()),
             ("TURNING", turning),

@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use super::MechanismSubject;
 use crate::emit::c::notation::number;
+use crate::emit::c::text::harmless;
 use crate::mechanism::{SensorKindModel, StepMethod};
 
 /// The comment at the head of header and source.
 pub(super) fn banner(subject: &MechanismSubject<'_>) -> String {
     let model = subject.model;
     let source = if model.source_name.is_empty() { "a mechanism" } else { model.source_name.as_str() };
-    let harmless = |text: &str| text.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?");
     let method = match model.method {
         StepMethod::Rk4 => "classical Runge-Kutta, order 4",
         StepMethod::SymplecticEuler => "symplectic Euler, order 1",

@@ -11,12 +11,13 @@ mod features;
 mod header;
 mod names;
 mod tables;
-mod template;
 
 pub(crate) use self::names::Names;
 use self::tables::Numbers;
+use super::notation::type_name;
+use super::template;
 use crate::mechanism::{MechanismModel, MechanismPlan};
-use crate::{CodegenError, GenerateOptions, ScalarType};
+use crate::{CodegenError, GenerateOptions};
 
 /// The parts of the solver before the function that [`tables::prepare`] prints, in their order.
 const BEFORE: [&str; 4] = [
@@ -67,7 +68,7 @@ impl MechanismSubject<'_> {
     }
 
     fn type_name(&self) -> &'static str {
-        if self.options.scalar == ScalarType::F32 { "float" } else { "double" }
+        type_name(self.options.scalar)
     }
 }
 

@@ -7,6 +7,9 @@ static void prepare_rigid(int index, const body_state *state, body_work *body)
     body->mass = rigid->mass;
     copy(3, rigid->first_moment, body->first_moment);
     copy(9, rigid->inertia, body->inertia);
+//@ if LOOPS
+    body->compliance = rigid->compliance;
+//@ end
     cross(state->omega, body->first_moment, product);
     cross(state->omega, product, &body->quadratic_velocity[0]);
     along_axes(body->inertia, state->omega, product);

@@ -15,15 +15,42 @@ static void subtract_compliance(int rows_end, int row_count, int columns_end, in
 }
 
 //@ end
-/* Puts the rows of a link on one of its bodies into the matrix; adds what they meet there to `met`. */
-static void attach(int index, int end, workspace *work, real met[6])
+//@ if LOOPS
+/* How far a body yields to a force on its frame; one with modes, to each component of the force alone. */
+static real yielding(const body_work *body, int modes, const real force[6])
+{
+    real sum = (real)0;
+    int k;
+//@ if RIGID
+    if (modes == 0) {
+        for (k = 0; k < 36; k++) {
+            sum += body->compliance[k] * force[k / 6] * force[k % 6];
+        }
+        return sum;
+    }
+//@ end
+    for (k = 0; k < 6; k++) {
+        const real mass = body->remaining[7 * k];
+        if (mass > (real)0) {
+            sum += force[k] * force[k] / mass;
+        }
+    }
+    (void)modes;
+    return sum;
+}
+
+//@ end
+/* Puts the rows of a link on one of its bodies into the matrix; of a joint in a loop, sums what its rows meet there. */
+static void attach(int index, int end, workspace *work)
 {
     const link_place *link = &links[index];
     const end_place *place = &link->ends[end];
     const real *gradients = work->rows[index].gradients[end];
     real *block;
     placed_marker placed;
+//@ if FLEXIBLE
     const body_work *body;
+//@ end
     real generalised[VELOCITIES];
     int row;
     int k;
@@ -31,7 +58,9 @@ static void attach(int index, int end, workspace *work, real met[6])
         return;
     }
     place_marker(link->at[end].marker, work, &placed);
+//@ if FLEXIBLE
     body = &work->bodies[placed.body];
+//@ end
     block = &work->blocks[36 * place->block];
     for (row = 0; row < work->rows[index].count; row++) {
         real force[3];
@@ -48,11 +77,12 @@ static void attach(int index, int end, workspace *work, real met[6])
             add_scaled(6, -generalised[6 + k], &body->followed[6 * k], generalised);
         }
 //@ end
+//@ if LOOPS
+        if (index < JOINTS) {
+            work->shift[6 * link->node + row] += yielding(&work->bodies[placed.body], placed.modes, generalised);
+        }
+//@ end
         for (k = 0; k < 6; k++) {
-            const real mass = body->remaining[7 * k];
-            if (mass > (real)0) {
-                met[row] += generalised[k] * generalised[k] / mass;
-            }
             block[place->transposed != 0 ? 6 * row + k : 6 * k + row] = generalised[k];
         }
     }
@@ -70,11 +100,24 @@ static void attach(int index, int end, workspace *work, real met[6])
 //@ end
 }
 
+//@ if LOOPS
+/* Subtracts a share of the compliance that each row of a joint meets from the diagonal, where the modes' part of it stands. */
+static void shift_rows(const link_place *link, workspace *work)
+{
+    real *diagonal = &work->blocks[36 * link->diagonal];
+    real *shift = &work->shift[6 * link->node];
+    int k;
+    for (k = 0; k < link->rows; k++) {
+        shift[k] = SHARE * (shift[k] - diagonal[7 * k]);
+        diagonal[7 * k] -= shift[k];
+    }
+}
+
+//@ end
 /* Factors the system in the state that was evaluated. Gives a status. */
 static int factor(const stage_terms *terms, workspace *work)
 {
     int index;
-    int k;
     fill(36 * BLOCKS, (real)0, work->blocks);
     for (index = 0; index < BODIES; index++) {
         if (!factor_body(index, &work->state.bodies[index], terms, &work->bodies[index])) {
@@ -83,20 +126,22 @@ static int factor(const stage_terms *terms, workspace *work)
         copy(36, work->bodies[index].remaining, &work->blocks[36 * body_diagonals[index]]);
     }
     for (index = 0; index < LINKS; index++) {
-        const link_place *link = &links[index];
-        real met[6] = {(real)0, (real)0, (real)0, (real)0, (real)0, (real)0};
-        real *diagonal = &work->blocks[36 * link->diagonal];
-        attach(index, 0, work, met);
-        attach(index, 1, work, met);
-        for (k = 0; k < link->rows; k++) {
-            if (index >= JOINTS) {
-                diagonal[7 * k] -= (real)1;
-            } else if (REDUNDANT) {
-                const real shift = SHARE * (met[k] - diagonal[7 * k]);
-                work->shift[6 * link->node + k] = shift;
-                diagonal[7 * k] -= shift;
+        attach(index, 0, work);
+        attach(index, 1, work);
+//@ if SOFT
+        if (index >= JOINTS) {
+            const link_place *link = &links[index];
+            int k;
+            for (k = 0; k < link->rows; k++) {
+                work->blocks[36 * link->diagonal + 7 * k] -= (real)1;
             }
         }
+//@ end
+//@ if LOOPS
+        if (index < JOINTS) {
+            shift_rows(&links[index], work);
+        }
+//@ end
     }
 //@ if SHARED
     for (index = 0; index < SHARED; index++) {

@@ -65,6 +65,10 @@ typedef struct {
     real mass;
     real first_moment[3];
     real inertia[9];
+//@ if LOOPS
+    /* accelerations of the frame that a force on it gives, row by row */
+    real compliance[36];
+//@ end
 } rigid_body;
 
 //@ end
@@ -163,6 +167,10 @@ typedef struct {
     real result[VELOCITIES];
     /* the mass matrix without its modes */
     real remaining[36];
+//@ if LOOPS
+    /* of a rigid body */
+    const real *compliance;
+//@ end
 //@ if FLEXIBLE
     /* C', mode by mode */
     real coupling[6 * MODES];

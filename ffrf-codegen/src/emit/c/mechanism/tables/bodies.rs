@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::Numbers;
+use super::compliance::rigid_compliance;
 use super::numbers::table;
 use crate::emit::c::mechanism::MechanismSubject;
 use crate::emit::c::text::braced;
@@ -15,12 +16,11 @@ pub(super) fn bodies(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
     for (body, name) in model.bodies.iter().zip(&subject.names.bodies) {
         match &body.kind {
             BodyKind::Rigid { mass, first_moment, inertia } => {
-                rigid.push(format!(
-                    "{{{}, {}, {}}}",
-                    numbers.one(*mass),
-                    numbers.list(first_moment),
-                    numbers.list(inertia)
-                ));
+                let mut parts = vec![numbers.one(*mass), numbers.list(first_moment), numbers.list(inertia)];
+                if subject.has_loops {
+                    parts.push(numbers.list(&rigid_compliance(*mass, first_moment, inertia)));
+                }
+                rigid.push(format!("{{{}}}", parts.join(", ")));
                 which.push(format!("-{}", rigid.len()));
             }
             BodyKind::Flexible(body) => {

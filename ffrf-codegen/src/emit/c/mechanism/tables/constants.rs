@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::Numbers;
 use crate::ScalarType;
 use crate::emit::c::mechanism::MechanismSubject;
+use crate::emit::c::notation::square_root_name;
 
 /// Sizes, kinds and tolerances.
 pub(in super::super) fn constants(subject: &MechanismSubject<'_>, numbers: &Numbers) -> String {
@@ -15,12 +16,13 @@ pub(in super::super) fn constants(subject: &MechanismSubject<'_>, numbers: &Numb
         "typedef {kind} real;\ntypedef {prefix}_body body_state;\ntypedef {prefix}_state mechanism_state;\n\
          typedef {prefix}_inputs mechanism_inputs;\n\n#define square_root {root}\n\n",
         kind = subject.type_name(),
-        root = if single { "sqrtf" } else { "sqrt" },
+        root = square_root_name(subject.options.scalar),
     );
     let statuses = ["DONE", "NO_MASS", "JOINTS_NOT_MET", "NOT_FINITE", "TOO_FAR"];
     for status in statuses {
         let _ = writeln!(text, "#define {status} {}_{status}", prefix.to_uppercase());
     }
+    let refinements = if single { [3, 3] } else { [2, 0] };
     let sizes = [
         ("BODIES", plan.bodies.len()),
         ("MODES", modes),
@@ -39,18 +41,8 @@ pub(in super::super) fn constants(subject: &MechanismSubject<'_>, numbers: &Numb
         ("ACTUATORS", model.actuators.len()),
         ("SENSORS", model.sensors.len()),
         ("CORRECTIONS", model.corrections),
-        ("REDUNDANT", usize::from(subject.has_loops)),
-        (
-            "REFINEMENTS",
-            if !subject.has_loops {
-                0
-            } else if single {
-                3
-            } else {
-                2
-            },
-        ),
-        ("REFINEMENTS_OF_CORRECTIONS", if subject.has_loops && single { 3 } else { 0 }),
+        ("REFINEMENTS", if subject.has_loops { refinements[0] } else { 0 }),
+        ("REFINEMENTS_OF_CORRECTIONS", if subject.has_loops { refinements[1] } else { 0 }),
     ];
     text.push_str("\n/* Sizes. */\nenum {\n");
     for (name, size) in sizes {

@@ -79,7 +79,6 @@ pub(super) fn forces(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
 
 /// Sensors.
 pub(super) fn sensors(subject: &MechanismSubject<'_>, numbers: &Numbers) -> String {
-    let ground = AttachmentModel { marker: None, position: [0.0; 3], orientation: [1.0, 0.0, 0.0, 0.0] };
     let mut first = 0;
     let mut list = Vec::new();
     for sensor in &subject.model.sensors {
@@ -88,9 +87,13 @@ pub(super) fn sensors(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Stri
             SensorKindModel::Velocity(at) => ("VELOCITY", at, 0, 0),
             SensorKindModel::Acceleration(at) => ("ACCELERATION", at, 0, 0),
             SensorKindModel::Orientation(at) => ("ORIENTATION", at, 0, 0),
-            SensorKindModel::Turn(link) => ("TURN", &ground, *link, 1),
-            SensorKindModel::ReactionForce(link, count) => ("REACTION_FORCE", &ground, *link, *count),
-            SensorKindModel::ReactionMoment(link, count) => ("REACTION_MOMENT", &ground, *link, *count),
+            SensorKindModel::Turn(link) => ("TURN", &AttachmentModel::GROUND, *link, 1),
+            SensorKindModel::ReactionForce(link, count) => {
+                ("REACTION_FORCE", &AttachmentModel::GROUND, *link, *count)
+            }
+            SensorKindModel::ReactionMoment(link, count) => {
+                ("REACTION_MOMENT", &AttachmentModel::GROUND, *link, *count)
+            }
         };
         list.push(format!("{{{kind}, {first}, {}, {link}, {count}}}", attachment(at, numbers)));
         first += sensor.kind.width();

@@ -1,6 +1,7 @@
 //! The numbers of a mechanism as constant tables of C.
 
 mod bodies;
+mod compliance;
 mod constants;
 mod forces;
 mod numbers;

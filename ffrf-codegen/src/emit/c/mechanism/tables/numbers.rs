@@ -46,7 +46,7 @@ impl Numbers {
     }
 }
 
-/// A named table; one entry without meaning where it would be empty, which C does not have.
+/// A named table; nothing where it would be empty, which C does not have.
 pub(super) fn table(kind: &str, name: &str, entries: &[String]) -> String {
     if entries.is_empty() {
         return String::new();

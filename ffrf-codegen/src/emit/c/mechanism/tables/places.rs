@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::Numbers;
 use super::numbers::{attachment, integers, table};
 use crate::emit::c::mechanism::MechanismSubject;
-use crate::emit::c::text::braced;
+use crate::emit::c::text::{braced, harmless};
 use crate::mechanism::{AttachmentModel, EndPlace, JointModel, RelationModel};
 
 fn axes(held: [bool; 3]) -> usize {
@@ -56,7 +56,7 @@ pub(super) fn places(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
         let at = ends_of(subject, index);
         links.push(format!(
             "/* {} */\n{{{}, {}, {}, {{{}, {}}},\n {{{},\n  {}}},\n {}, {}, {}, {}}}",
-            joint.map_or("a soft link", |joint| joint.name.as_str()).replace("*/", "* /"),
+            harmless(joint.map_or("a soft link", |joint| joint.name.as_str())),
             place.rows,
             place.node,
             place.diagonal,
@@ -133,12 +133,12 @@ pub(super) fn places(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
 /// What a link connects: a joint, or behind those a soft element.
 fn ends_of(subject: &MechanismSubject<'_>, link: usize) -> [AttachmentModel; 2] {
     let (joints, elements) = (&subject.model.joints, &subject.model.elements);
-    let ground = AttachmentModel { marker: None, position: [0.0; 3], orientation: [1.0, 0.0, 0.0, 0.0] };
     match joints.get(link) {
         Some(JointModel { ends, .. }) => *ends,
         None => {
             let soft = link.checked_sub(joints.len()).and_then(|soft| subject.soft.get(soft));
-            soft.and_then(|element| elements.get(*element)).map_or([ground; 2], |element| element.ends)
+            soft.and_then(|element| elements.get(*element))
+                .map_or([AttachmentModel::GROUND; 2], |element| element.ends)
         }
     }
 }

@@ -1,13 +1,13 @@
-//! The parts of the solver that a mechanism needs.
+//! Statements that are written once as C: the parts that a body or mechanism needs, with its names.
 
 use std::collections::BTreeSet;
 
-/// Begins lines that a mechanism has only if it has what they name.
+/// Begins lines that are left out unless there is what they name.
 const BEGIN: &str = "//@ if ";
 /// Ends them.
 const END: &str = "//@ end";
 
-/// The statements of a template for what is in `features`, with these names in place of others.
+/// The statements of a template for what is in `features`, with names in the place of others, one replacement after the other.
 pub(super) fn filled(template: &str, features: &BTreeSet<&str>, names: &[(&str, &str)]) -> String {
     let mut text = String::new();
     let mut open: Vec<bool> = Vec::new();
