@@ -7,17 +7,10 @@ rounds=${1:-300}
 target=${CARGO_TARGET_DIR:-$here/kernels/target}/timing
 scratch=$(mktemp)
 trap 'rm -f "$scratch"' EXIT
-build() { # name, target-cpu, features
-    RUSTFLAGS="-C target-cpu=$2" CARGO_TARGET_DIR=$target/$1 cargo build --release --quiet --no-default-features \
-        --features "$3" --manifest-path "$here/kernels/Cargo.toml" --bin kernels
-}
-run() { # name
+run() { # target-cpu
+    RUSTFLAGS="-C target-cpu=$1" CARGO_TARGET_DIR=$target/$1 cargo build --release --quiet --manifest-path "$here/kernels/Cargo.toml" --bin kernels
     taskset -c "${CPU:-1}" "$target/$1/release/kernels" "$rounds"
 }
-build native native ""
-build default x86-64 host-simd
-build avx512 x86-64 host-avx512
-build compiled x86-64 ""
 {
     echo "# Kernels, $(date +%F)"
     echo
@@ -28,15 +21,9 @@ build compiled x86-64 ""
     echo "# target-cpu=native"
     echo
     run native
-    echo "# target-cpu=x86-64, the default: AVX2 found when running"
+    echo "# target-cpu=x86-64, the default"
     echo
-    run default
-    echo "# target-cpu=x86-64 with the feature host-avx512: AVX-512 found when running"
-    echo
-    run avx512
-    echo "# target-cpu=x86-64 without the feature host-simd"
-    echo
-    run compiled
+    run x86-64
 } > "$scratch"
 cp "$scratch" "$here/kernels.md"
 cat "$here/kernels.md"

@@ -29,7 +29,6 @@ ours() { # name target-cpu features
 
 ours ours native ""
 ours ours-default-cpu x86-64 ""
-ours ours-default-avx512 x86-64 avx512
 ours naive native naive
 fast="-std=c++17 $flags -DNDEBUG -DMODES=$modes"
 simd="-mprefer-vector-width=512 -ffp-contract=fast -fno-math-errno"

@@ -16,7 +16,6 @@
 //! Features: `std` (default) takes float functions from the standard library, `libm` from the crate of that
 //! name, for targets without one. At least one of the two is needed. `host-simd` (default) lets kernels over lanes compute
 //! in the registers that an x86-64 processor is found to have when running; their products and sums are contracted then.
-//! `host-avx512` adds AVX-512 to AVX2, with the same bits.
 //!
 //! Current limitations: bodies without geometric stiffening; rows of joints are dense within a body.
 #![no_std]

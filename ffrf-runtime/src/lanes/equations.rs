@@ -128,14 +128,12 @@ impl<C: Copy, const M: usize, const G: usize, P, R> LaneBody<'_, C, M, G, P, R> 
             let trace = base[0] + traced;
             let [even_yy, even_zz, even_xy, even_xz, even_yz] = &state.modal.even;
             let [_, base_yy, base_zz, base_xy, base_xz, base_yz] = base;
-            let [yy, zz, xy, xz, yz] = [
-                (&even_yy[g], base_yy),
-                (&even_zz[g], base_zz),
-                (&even_xy[g], base_xy),
-                (&even_xz[g], base_xz),
-                (&even_yz[g], base_yz),
-            ]
-            .map(|(even, base)| load::<T, R>(registers, even) + base);
+            // One by one, not by `map`, for the reason of `scaled`.
+            let yy = load::<T, R>(registers, &even_yy[g]) + base_yy;
+            let zz = load::<T, R>(registers, &even_zz[g]) + base_zz;
+            let xy = load::<T, R>(registers, &even_xy[g]) + base_xy;
+            let xz = load::<T, R>(registers, &even_xz[g]) + base_xz;
+            let yz = load::<T, R>(registers, &even_yz[g]) + base_yz;
             let deformed = [trace, yy, zz, xy, xz, yz];
             for component in 0..6 {
                 let twice = base[component] + deformed[component];

@@ -1,5 +1,7 @@
 //! Numbers over the modes in groups of four lanes.
 
+use core::ops::Mul;
+
 use super::{Lanes, Registers, Scalar, Width};
 
 /// A register of four lanes.
@@ -66,6 +68,18 @@ pub(super) fn grouped<T: Scalar, R: Registers<T>, const G: usize>(
         *group = load(registers, &padded);
     }
     groups
+}
+
+/// `factor` times each register.
+///
+/// Not by `map`: its closure may stay a function apart, compiled for less than what it was part of, where registers that are
+/// found when running pass through memory.
+#[inline(always)]
+pub(super) fn scaled<L: Copy + Mul<Output = L>, const K: usize>(factor: L, mut registers: [L; K]) -> [L; K] {
+    for register in &mut registers {
+        *register = factor * *register;
+    }
+    registers
 }
 
 /// The lanes of every group as numbers.

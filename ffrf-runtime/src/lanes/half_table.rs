@@ -11,7 +11,7 @@
 //!
 //! with + for the even components (symmetric under μ <-> ν) and - for the odd ones (antisymmetric).
 
-use super::groups::constants;
+use super::groups::{constants, scaled};
 use super::{Lanes, MomentTable, Moments, Registers, Scalar, Width};
 
 /// Moments by blocks of `W` x `W` modes, for `H` rows of blocks; `TILES` = 8 H (H - 1) / 2.
@@ -111,7 +111,7 @@ fn odd<'a, T: Scalar, R: Width<T, W>, const W: usize, const H: usize>(
 ) {
     let (moments, whirl) = (blocks_of::<T, W>(moments), blocks_of::<T, W>(whirl));
     let mut partial = [registers.splat(T::zero()); W];
-    let turned = known.q_dot.map(|rate| rate * twice);
+    let turned = scaled(twice, known.q_dot);
     for row in column + 1..H {
         let (q, rate) = (coordinates[row], rates[row] * twice);
         let Some(tile) = below.next() else { return };

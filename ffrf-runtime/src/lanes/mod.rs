@@ -11,19 +11,17 @@
 //! - [`HalfTable`]: T_νμ = T_μνᵀ is stored once and used twice, for tables that outgrow the first-level cache.
 //!
 //! Safe code on every target: the registers are those of the `wide` crate, which falls back to arrays ([`Compiled`]). On
-//! hosts the loops are compiled a second time for AVX2 (and AVX-512), and run so where the processor has it (`on_registers!`).
+//! hosts the loops are compiled again for AVX2 and for AVX-512, and run so where the processor has it (`on_registers!`).
 
 mod array;
-#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
-mod avx2;
-#[cfg(all(feature = "host-avx512", target_arch = "x86_64"))]
-mod avx512;
 mod body;
 mod dynamics;
 mod energy;
 mod equations;
 mod factors;
 mod found;
+#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
+mod found_lanes;
 mod full_table;
 mod groups;
 mod half_table;
@@ -42,13 +40,14 @@ mod vector;
 
 pub use crate::on_registers;
 pub use array::ArrayLanes;
-#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
-pub use avx2::{Avx2, Avx2Lanes};
-#[cfg(all(feature = "host-avx512", target_arch = "x86_64"))]
-pub use avx512::{Avx512, Avx512Lanes};
 pub use body::{LaneBody, ModalMatrix};
 pub use equations::State;
 pub use factors::Factors;
+#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
+pub use fearless_simd::{
+    Level,
+    x86::{Avx2, Avx512},
+};
 pub use full_table::FullTable;
 pub use half_table::HalfTable;
 pub use modal_factors::ModalFactors;

@@ -1,6 +1,6 @@
 //! Triangular factors of Θ_ff.
 
-use super::groups::{Register, four, load, splat};
+use super::groups::{Register, four, load, scaled, splat};
 use super::{Lanes, Registers, Scalar};
 
 /// Θ_ff = L D Lᵀ with ones on the diagonal of L, in groups of four modes.
@@ -31,8 +31,7 @@ impl<C: Copy, const M: usize, const G: usize> ModalFactors<'_, C, M, G> {
         match self {
             Self::Identity => lanes,
             Self::Diagonal(entries) | Self::Triangular { inverse_pivots: entries, .. } => {
-                let entries = four::<T, R>(registers, &entries[group]);
-                lanes.map(|lanes| entries * lanes)
+                scaled(four::<T, R>(registers, &entries[group]), lanes)
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Products of matrices over the modes.
 
-use super::groups::{Register, four, splat, zero};
+use super::groups::{Register, four, scaled, splat, zero};
 use super::{Lanes, ModalMatrix, Registers, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize> ModalMatrix<'_, C, M, G> {
@@ -16,7 +16,7 @@ impl<C: Copy, const M: usize, const G: usize> ModalMatrix<'_, C, M, G> {
         match self {
             Self::Zero => [zero::<T, R>(registers); K],
             Self::Identity => lanes,
-            Self::Diagonal(entries) => lanes.map(|lanes| four::<T, R>(registers, &entries[group]) * lanes),
+            Self::Diagonal(entries) => scaled(four::<T, R>(registers, &entries[group]), lanes),
             Self::Dense(entries) => {
                 let mut sums = [zero::<T, R>(registers); K];
                 let vectors = vectors.map(|vector| vector.as_flattened());

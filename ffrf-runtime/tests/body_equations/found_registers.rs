@@ -3,10 +3,8 @@
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-#[cfg(feature = "host-avx512")]
-use ffrf_runtime::lanes::Avx512;
 use ffrf_runtime::lanes::{
-    Avx2, Everywhere, Factors, Four, FullTable, HalfTable, HasLanes, LaneBody, Lanes, ModalFactors,
+    Everywhere, Factors, Four, FullTable, HalfTable, HasLanes, LaneBody, Lanes, Level, ModalFactors,
     ModalMatrix, MomentTable, Registers, Scalar,
 };
 use ffrf_test_kit::random::Random;
@@ -231,7 +229,7 @@ macro_rules! agree {
     ($($name:ident: $scalar:ty, $modes:literal $size:literal $groups:literal $table:expr;)*) => {$(
         #[test]
         fn $name() {
-            let Some(registers) = Avx2::find() else {
+            let Some(registers) = Level::new().as_avx2() else {
                 eprintln!("SKIPPED: this processor has no AVX2 to be found");
                 return;
             };
@@ -256,8 +254,7 @@ macro_rules! agree {
                 };
                 let found = results(&body.on(registers), &point);
                 let expected = results(&body, &fused);
-                #[cfg(feature = "host-avx512")]
-                if let Some(registers) = Avx512::find() {
+                if let Some(registers) = Level::new().as_avx512() {
                     assert_eq!(results(&body.on(registers), &point), found);
                 }
                 for (found, expected) in found.iter().zip(&expected) {
