@@ -6,6 +6,7 @@ mod convert;
 mod export;
 mod interfaces;
 mod linearise;
+mod sections;
 mod simulate;
 mod stiffening;
 mod tradeoff;
@@ -25,6 +26,7 @@ pub use convert::Convert;
 pub use export::{Export, ExportFmu, ExportFormat, FmiVersion};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};
 pub use linearise::{Campbell, Linearise, StateChoice};
+pub use sections::SectionArgument;
 pub use simulate::Simulate;
 pub use stiffening::StiffeningChoice;
 pub use tradeoff::{Plan, Tradeoff, parse_fidelity, parse_integrator, parse_scalar};
@@ -284,6 +286,10 @@ pub struct Reduce {
     /// material or --elastic. Repeatable.
     #[arg(long = "stress", value_name = "NAME=NODE", value_parser = parse_marker)]
     pub stress: Vec<MarkerArgument>,
+    /// Where to cut the part and observe the force and moment that go through: `plane:POINT,NORMAL`, six numbers. They are what the
+    /// side of the normal exerts on the rest, about the point. Repeatable.
+    #[arg(long = "section", value_name = "NAME=plane:POINT,NORMAL", value_parser = sections::parse_section)]
+    pub sections: Vec<SectionArgument>,
     /// Write the surface with the displacements of the modes to this file, for animations (.npz); see `ffrf simulate
     /// --animation`.
     #[arg(long, value_name = "SURFACE.npz")]

@@ -12,7 +12,7 @@ use ffrf_fe::{FeModel, ModeBasis};
 use ffrf_model::ReducedBody;
 
 use crate::arguments::{CouplingArgument, InterfaceArgument, InterfaceChoice, Reduce};
-use crate::{stiffening, stress, transfer};
+use crate::{section, stiffening, stress, transfer};
 
 /// The body, its basis, and what there is to say about its modes.
 pub fn reduce(
@@ -46,6 +46,7 @@ pub fn reduce(
     let conversion = arguments.files.conversion();
     stiffening::add(&mut body, model, &modes.basis, &support, &arguments.stiffening, conversion)?;
     stress::add(&mut body, model, &modes.basis, arguments)?;
+    section::add(&mut body, model, &modes.basis, arguments)?;
     Ok((body, modes.basis, text))
 }
 

@@ -32,8 +32,17 @@ pub fn body(body: &ReducedBody) -> String {
         let nodes = marker.nodes.len();
         line(&mut text, "stress marker", &format!("{} ({nodes} nodes) at {place}", printable(&marker.name)));
     }
-    if body.geometric_stiffness.is_some() {
-        line(&mut text, "geometric stiffness", "of inertial loads");
+    for marker in &body.section_markers {
+        let place = unit.with(&marker.position, "L");
+        let normal = marker.normal.map(|x| format!("{x:.3}")).join(", ");
+        let about = format!("{} at {place}, normal ({normal})", printable(&marker.name));
+        line(&mut text, "section", &about);
+    }
+    if let Some(geometric) = &body.geometric_stiffness {
+        let names: Vec<String> = geometric.marker_loads.iter().map(|load| printable(&load.marker)).collect();
+        let loads =
+            if names.is_empty() { String::new() } else { format!(", and of loads at {}", names.join(", ")) };
+        line(&mut text, "geometric stiffness", &format!("of inertial loads{loads}"));
     }
     for source in &body.provenance.sources {
         let hash: String = source.sha256.chars().take(12).collect();

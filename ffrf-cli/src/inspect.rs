@@ -1,7 +1,7 @@
 //! `ffrf inspect`: what a reduced body holds, and what its kernels cost.
 
 use anyhow::{Context, Result};
-use ffrf_codegen::GenerateOptions;
+use ffrf_codegen::{Fidelity, GenerateOptions};
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Inspect;
@@ -20,8 +20,12 @@ pub fn run(arguments: &Inspect) -> Result<()> {
     output::say(&format!("{}\n", describe::checks(&checks)))?;
     // What is wrong is shown above; the generator takes no such body.
     checks.verdict().with_context(|| format!("{}", arguments.model.display()))?;
+    let fidelity = arguments.fidelity.clone().unwrap_or_else(|| Fidelity::richest_in_code(&body));
+    if fidelity != arguments.fidelity.clone().unwrap_or_default() {
+        output::say(&format!("at fidelity {fidelity}, the richest that code of this body has\n\n"))?;
+    }
     let options = GenerateOptions {
-        fidelity: arguments.fidelity.clone(),
+        fidelity,
         layout_tolerance: arguments.layout_tolerance,
         ..GenerateOptions::default()
     };

@@ -30,6 +30,7 @@ pub mod reduce;
 pub mod report;
 mod results;
 mod sample_states;
+mod section;
 mod simulate;
 mod states;
 mod stiffening;

@@ -16,7 +16,7 @@ use crate::animation::{body_glb, skin};
 use crate::arguments::{Arguments, Command, MarkerArgument, Reduce};
 use crate::fe_input::node_rows;
 use crate::progress::Teller;
-use crate::{component_modes, describe, fe_input, modes, output, stiffening, stress, view};
+use crate::{component_modes, describe, fe_input, modes, output, section, stiffening, stress, view};
 
 /// Hears what a reduction has to say; each text is a line or more, with their ends.
 pub trait Listener {
@@ -144,6 +144,7 @@ fn with_eigenmodes(
     let support = stiffening::support(model, &arguments.choice)?;
     stiffening::add(&mut body, model, &solution.basis, &support, &arguments.stiffening, conversion)?;
     stress::add(&mut body, model, &solution.basis, arguments)?;
+    section::add(&mut body, model, &solution.basis, arguments)?;
     Ok((body, solution.basis))
 }
 

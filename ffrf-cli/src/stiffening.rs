@@ -1,10 +1,10 @@
 //! `ffrf reduce --geometric-stiffness`: what inertial loads add to the stiffness of a body.
 
 use anyhow::{Context, Result};
-use ffrf_fe::geometric_stiffness::{PrestressSupport, geometric_stiffness};
+use ffrf_fe::geometric_stiffness::{PrestressSupport, geometric_stiffness, marker_load_stiffness};
 use ffrf_fe::units::Conversion;
 use ffrf_fe::{Elasticity, FeModel, ModeBasis};
-use ffrf_model::ReducedBody;
+use ffrf_model::{Marker, ReducedBody};
 
 use crate::arguments::{ModeChoice, StiffeningChoice};
 use crate::fe_input::node_rows;
@@ -39,7 +39,16 @@ pub fn add(
         return Ok(());
     }
     let given = elasticity(choice.elastic, conversion);
-    let stiffness = geometric_stiffness(model, basis, support, given).context("--geometric-stiffness")?;
+    let mut stiffness = geometric_stiffness(model, basis, support, given).context("--geometric-stiffness")?;
+    let markers = choice.load_stiffness.iter().map(|name| {
+        body.markers.iter().find(|marker| marker.name == *name).with_context(|| {
+            let known: Vec<&str> = body.markers.iter().map(|marker| marker.name.as_str()).collect();
+            format!("--load-stiffness {name}: no such marker or interface; there are: {}", known.join(", "))
+        })
+    });
+    let markers: Vec<&Marker> = markers.collect::<Result<_>>()?;
+    stiffness.marker_loads =
+        marker_load_stiffness(model, basis, support, given, &markers).context("--load-stiffness")?;
     body.geometric_stiffness = Some(stiffness);
     Ok(())
 }

@@ -21,6 +21,8 @@
 
 use std::collections::BTreeSet;
 
+use ffrf_model::{ReducedBody, SecondOrderTerms};
+
 /// One term of the kinetic energy, as the user may keep or drop it.
 ///
 /// Units of every term: J. Frame: body-resolved v and ω. Source: `docs/theory/README.md`, E.
@@ -151,6 +153,46 @@ impl Fidelity {
             }
     }
 
+    /// Whether a body that holds these terms of second order can be had at this fidelity.
+    ///
+    /// Errors: [`FidelityError::NotHeld`].
+    pub fn check_held(&self, held: SecondOrderTerms) -> Result<(), FidelityError> {
+        let inertia = self.keeps(EnergyTerm::RotationQuadratic);
+        let stiffness = self.keeps(EnergyTerm::CentrifugalStiffening);
+        let (holds, expected) = match held {
+            SecondOrderTerms::Known => return Ok(()),
+            SecondOrderTerms::Together if inertia == stiffness => return Ok(()),
+            SecondOrderTerms::Together => (
+                "only the sum of `rotation_quadratic` and `centrifugal_stiffening`",
+                "full, linear, constant, rigid, or a list with both of them or neither",
+            ),
+            _ if !inertia && !stiffness => return Ok(()),
+            _ => (
+                "neither `rotation_quadratic` nor `centrifugal_stiffening`",
+                "linear, constant, rigid, or a list without them",
+            ),
+        };
+        Err(FidelityError::NotHeld { found: self.to_string(), holds, expected })
+    }
+
+    /// Whether the stress stiffness of loads at markers is kept: with every term, or with one of geometric stiffness.
+    pub fn keeps_load_stiffness(&self) -> bool {
+        EnergyTerm::ALL.into_iter().any(|term| term.is_stiffening() && self.keeps(term))
+    }
+
+    /// Whether it keeps the stress stiffness of loads at some marker of this body, which generated code does not have.
+    pub(crate) fn keeps_load_of(&self, body: &ReducedBody) -> bool {
+        let loads = body.geometric_stiffness.as_ref().map_or(0, |geometric| geometric.marker_loads.len());
+        loads > 0 && self.keeps_load_stiffness()
+    }
+
+    /// The level with most terms that generated code of this body can have.
+    pub fn richest_in_code(body: &ReducedBody) -> Self {
+        let had =
+            |level: &Self| level.check_held(body.second_order_terms).is_ok() && !level.keeps_load_of(body);
+        Self::LEVELS.into_iter().rev().find(had).unwrap_or(Self::Rigid)
+    }
+
     /// The kept terms, in the order in which the energy is written.
     pub fn terms(&self) -> impl Iterator<Item = EnergyTerm> + '_ {
         EnergyTerm::ALL.into_iter().filter(|term| self.keeps(*term))
@@ -239,6 +281,18 @@ pub enum FidelityError {
         /// What was written.
         found: String,
     },
+    /// The body lacks a term of the fidelity.
+    #[error(
+        "fidelity {found} cannot be had: the body holds {holds} (it was read from integrals); expected {expected}"
+    )]
+    NotHeld {
+        /// The fidelity.
+        found: String,
+        /// What the body holds.
+        holds: &'static str,
+        /// The fidelities that it has.
+        expected: &'static str,
+    },
 }
 
 #[cfg(test)]
@@ -286,6 +340,22 @@ mod tests {
         assert_eq!("modal_rotation".parse(), Fidelity::from_term_names(["modal_rotation"]));
         assert!(matches!("quadratic".parse::<Fidelity>(), Err(FidelityError::UnknownLevel { .. })));
         assert!(matches!("full,modal".parse::<Fidelity>(), Err(FidelityError::UnknownTerm { .. })));
+    }
+
+    #[test]
+    fn what_a_body_holds_limits_the_fidelity() {
+        use SecondOrderTerms::{Known, Together, Unknown};
+        let allowed = |held: SecondOrderTerms| {
+            let levels = Fidelity::LEVELS.into_iter().filter(|level| level.check_held(held).is_ok());
+            levels.map(|level| level.to_string()).collect::<Vec<_>>()
+        };
+        assert_eq!(allowed(Known).len(), Fidelity::LEVELS.len());
+        assert_eq!(allowed(Together), ["rigid", "constant", "linear", "full"]);
+        assert_eq!(allowed(Unknown), ["rigid", "constant", "linear"]);
+        let one = Fidelity::from_term_names(["centrifugal_stiffening"]).unwrap();
+        let message = one.check_held(Together).unwrap_err().to_string();
+        assert!(message.contains("[centrifugal_stiffening] cannot be had"), "{message}");
+        assert!(one.check_held(Unknown).is_err());
     }
 
     #[test]

@@ -17,6 +17,7 @@ pub(crate) fn prepare(body: &ReducedBody, options: &GenerateOptions) -> Result<R
     };
     // What was read from a file has been checked; what was built by hand, and what a selection leaves, has not.
     body.check()?.verdict()?;
+    options.fidelity.check_held(body.second_order_terms)?;
     check_numbers(&body, options.scalar)?;
     check_digits(&body, options.scalar)?;
     Ok(body)

@@ -5,6 +5,7 @@
 //! [`component_modes`] in place of [`modes`].
 #![forbid(unsafe_code)]
 
+mod compensated;
 pub mod component_modes;
 mod elasticity;
 pub mod elements;
@@ -17,6 +18,7 @@ pub mod import;
 pub mod modes;
 pub mod oracle;
 pub mod reduction;
+pub mod section;
 mod sparse;
 pub mod stress;
 mod tolerances;

@@ -101,6 +101,7 @@ fn measured(kind: &SensorKind) -> (&'static str, &'static str) {
         SensorKind::ReactionMoment(_) => {
             ("N.m", "moment of the joint on its second body about the attachment, inertial")
         }
+        SensorKind::SectionForce { .. } => ("", "force (N) or moment (N m) through the section, body frame"),
         SensorKind::Stress { .. } => ("Pa", "stress, body frame, or von Mises' equivalent"),
     }
 }

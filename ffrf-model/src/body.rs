@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::geometric_stiffness::GeometricStiffness;
 use crate::inertia::{Inertia, Vector3};
+use crate::second_order_terms::SecondOrderTerms;
+use crate::section_marker::SectionMarker;
 
 /// The version of the file format that this library writes, and the only one it reads.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -35,11 +37,17 @@ pub struct ReducedBody {
     /// Stress stiffness of unit inertial loads, if it was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub geometric_stiffness: Option<GeometricStiffness>,
+    /// Which terms of second order in q the invariants hold: all, unless the body was read from integrals that lack some.
+    #[serde(default, skip_serializing_if = "SecondOrderTerms::is_known")]
+    pub second_order_terms: SecondOrderTerms,
     /// Points where forces act and where motion is observed.
     pub markers: Vec<Marker>,
     /// Places where stress is observed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stress_markers: Vec<StressMarker>,
+    /// Cuts where the transmitted force is observed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub section_markers: Vec<SectionMarker>,
 }
 
 impl ReducedBody {

@@ -4,7 +4,7 @@ use crate::eigenvalues::smallest_eigenvalue;
 use crate::independence::{Independence, dependent_modes, independence};
 use crate::measured::{Check, Limit};
 use crate::tolerances::{INDEPENDENCE, NEGATIVE_EIGENVALUE, RIGID_PIVOT, SYMMETRY};
-use crate::{Inertia, Matrix3, ModelError, ReducedBody};
+use crate::{GeometricStiffness, Inertia, Matrix3, ModelError, ReducedBody};
 
 /// The checks of one body, in a fixed order.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +44,8 @@ impl ReducedBody {
             symmetry("asymmetry of the stiffness K_ff", &self.stiffness),
             symmetry("asymmetry of the damping D_ff", &self.damping),
         ];
-        let gram = smallest_eigenvalue(scaled_gram_matrix(inertia));
+        let fields = if self.second_order_terms.is_known() { usize::MAX } else { RIGID_FIELDS };
+        let gram = smallest_eigenvalue(leading(scaled_gram_matrix(inertia), fields));
         checks.push(Check::new(
             "smallest eigenvalue of the Gram matrix of the inertia invariants, each field of unit norm",
             gram.unwrap_or(0.0),
@@ -59,6 +60,11 @@ impl ReducedBody {
             let flat: Vec<Vec<[f64; 9]>> =
                 linear.iter().map(|row| row.iter().map(flattened).collect()).collect();
             checks.push(exchange("asymmetry of the geometric stiffness of linear loads", &flat));
+            for load in &geometric.marker_loads {
+                let subject = format!("asymmetry of the geometric stiffness of loads at {:?}", load.marker);
+                checks.push(exchange(&subject, &load.stiffness));
+            }
+            checks.extend(loaded_markers(self, geometric));
         }
         checks.extend(marker_names(self));
         Ok(CheckReport { checks })
@@ -118,6 +124,15 @@ fn mode_mode_symmetry(inertia: &Inertia) -> Check {
     }
     let subject = "deviation of T_νμ from the transpose of T_μν";
     Check::new(subject, relative(deviation, scale), Limit::AtMost(SYMMETRY))
+}
+
+/// The fields 1 and xⁱ. What T_μν is known of only in part cannot be compared with them.
+const RIGID_FIELDS: usize = 4;
+
+fn leading(mut matrix: Vec<Vec<f64>>, size: usize) -> Vec<Vec<f64>> {
+    matrix.truncate(size);
+    matrix.iter_mut().for_each(|row| row.truncate(size));
+    matrix
 }
 
 /// Gram matrix of the fields 1, xⁱ, φ_μⁱ in the mass inner product. Shape: 4 + 3M square.
@@ -197,10 +212,23 @@ pub fn is_valid_marker_name(name: &str) -> bool {
         && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
+/// Loads are at markers that the body has, once each.
+fn loaded_markers(body: &ReducedBody, geometric: &GeometricStiffness) -> Option<Check> {
+    let names: Vec<&str> = geometric.marker_loads.iter().map(|load| load.marker.as_str()).collect();
+    let wrong = |i: usize| {
+        names[..i].contains(&names[i]) || !body.markers.iter().any(|marker| marker.name == names[i])
+    };
+    let faulty: Vec<&str> = (0..names.len()).filter(|i| wrong(*i)).map(|i| names[i]).collect();
+    let subject = "geometric stiffness of loads at what is no marker, or twice at one";
+    let subject = if faulty.is_empty() { subject.to_owned() } else { format!("{subject} ({faulty:?})") };
+    (!names.is_empty()).then(|| Check::new(subject, faulty.len() as f64, Limit::AtMost(0.0)))
+}
+
 /// One check on how many names are at fault, which names them.
 fn marker_names(body: &ReducedBody) -> Vec<Check> {
     let stress = body.stress_markers.iter().map(|marker| marker.name.as_str());
-    let names: Vec<&str> = body.markers.iter().map(|marker| marker.name.as_str()).chain(stress).collect();
+    let others = stress.chain(body.section_markers.iter().map(|marker| marker.name.as_str()));
+    let names: Vec<&str> = body.markers.iter().map(|marker| marker.name.as_str()).chain(others).collect();
     let invalid: Vec<&str> = names.iter().copied().filter(|name| !is_valid_marker_name(name)).collect();
     let repeated: Vec<&str> = names
         .iter()

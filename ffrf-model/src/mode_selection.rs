@@ -117,6 +117,9 @@ impl ReducedBody {
         if let Some(geometric) = &mut body.geometric_stiffness {
             geometric.uniform_load = pick_square(&geometric.uniform_load, &indices);
             geometric.linear_load = pick_square(&geometric.linear_load, &indices);
+            for load in &mut geometric.marker_loads {
+                load.stiffness = pick_square(&load.stiffness, &indices);
+            }
         }
         for (marker, whole) in body.markers.iter_mut().zip(&self.markers) {
             marker.translation = pick(&whole.translation, &indices);
@@ -124,6 +127,9 @@ impl ReducedBody {
         }
         for (marker, whole) in body.stress_markers.iter_mut().zip(&self.stress_markers) {
             marker.stress = pick(&whole.stress, &indices);
+        }
+        for (marker, whole) in body.section_markers.iter_mut().zip(&self.section_markers) {
+            marker.force = pick(&whole.force, &indices);
         }
         Ok(body)
     }

@@ -33,6 +33,12 @@ impl ReducedBody {
                     walk.rows(|| format!("geometric_stiffness.linear_load[{mu}][{nu}]"), matrix);
                 }
             }
+            for (index, load) in geometric.marker_loads.iter().enumerate() {
+                for (mu, row) in load.stiffness.iter().enumerate() {
+                    let field = || format!("geometric_stiffness.marker_loads[{index}].stiffness[{mu}]");
+                    walk.rows(field, row);
+                }
+            }
         }
         for (index, marker) in self.markers.iter().enumerate() {
             walk.row(|| format!("markers[{index}].position"), &marker.position);
@@ -42,6 +48,11 @@ impl ReducedBody {
         for (index, marker) in self.stress_markers.iter().enumerate() {
             walk.row(|| format!("stress_markers[{index}].position"), &marker.position);
             walk.rows(|| format!("stress_markers[{index}].stress"), &marker.stress);
+        }
+        for (index, marker) in self.section_markers.iter().enumerate() {
+            walk.row(|| format!("section_markers[{index}].position"), &marker.position);
+            walk.row(|| format!("section_markers[{index}].normal"), &marker.normal);
+            walk.rows(|| format!("section_markers[{index}].force"), &marker.force);
         }
         walk.found
     }

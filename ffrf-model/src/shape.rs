@@ -20,6 +20,10 @@ impl ReducedBody {
         if let Some(geometric) = &self.geometric_stiffness {
             square("geometric_stiffness.uniform_load", &geometric.uniform_load, expected)?;
             square("geometric_stiffness.linear_load", &geometric.linear_load, expected)?;
+            for (index, load) in geometric.marker_loads.iter().enumerate() {
+                let field = format!("geometric_stiffness.marker_loads[{index}].stiffness");
+                square(&field, &load.stiffness, expected)?;
+            }
         }
         for (index, marker) in self.markers.iter().enumerate() {
             length(&format!("markers[{index}].translation"), &marker.translation, expected)?;
@@ -27,6 +31,9 @@ impl ReducedBody {
         }
         for (index, marker) in self.stress_markers.iter().enumerate() {
             length(&format!("stress_markers[{index}].stress"), &marker.stress, expected)?;
+        }
+        for (index, marker) in self.section_markers.iter().enumerate() {
+            length(&format!("section_markers[{index}].force"), &marker.force, expected)?;
         }
         match self.find_number(|number| !number.is_finite()) {
             Some((field, found)) => Err(ModelError::NotFinite { field, found }),

@@ -50,7 +50,7 @@ pub use body::{
     DenseForms, Eliminated, Envelope, EquationsOfMotion, Factored, FamilyMember, FamilyVisitor, FlexibleBody,
     FreeBody, FreeSystem, GeneralisedForce, Increment, Load, Marker, MarkerMotion, MarkerStep, ModalFactors,
     ModalMatrix, ModalVector, Motion, NamedMarkers, Observables, Oscillators, Pair, PairSystem, PlacedMarker,
-    Prepared, RigidBody, State, StressMarker, Wrench, von_mises,
+    Prepared, RigidBody, SectionMarker, State, StressMarker, Wrench, von_mises,
 };
 pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{

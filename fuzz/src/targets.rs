@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use ffrf_fe::elements::Material;
-use ffrf_fe::import::{ImportOptions, ModelFiles, NodeSource, read_mbdyn, read_mode_shapes, read_model_with};
+use ffrf_fe::import::{
+    ImportOptions, ModelFiles, NodeSource, read_mbdyn, read_mode_shapes, read_model_with, read_sid,
+};
 use ffrf_model::ReducedBody;
 
 use crate::Outcome;
@@ -18,7 +20,7 @@ pub struct Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 20] = [
+pub const TARGETS: [Target; 21] = [
     Target {
         name: "deck",
         file: "part.inp",
@@ -50,6 +52,7 @@ pub const TARGETS: [Target; 20] = [
     },
     Target { name: "mode_shapes", file: "psi.txt", read: mode_shapes },
     Target { name: "mbdyn", file: "body.fem", read: mbdyn },
+    Target { name: "sid", file: "body.SID_FEM", read: sid },
     Target { name: "model_file", file: "body.ffrf.json", read: body },
 ];
 
@@ -140,6 +143,13 @@ fn mode_shapes(folder: &Path) -> Outcome {
 
 fn mbdyn(folder: &Path) -> Outcome {
     match read_mbdyn(&folder.join("body.fem"), None) {
+        Ok(body) => Outcome::Body(Box::new(body)),
+        Err(error) => Outcome::Refused(error.to_string()),
+    }
+}
+
+fn sid(folder: &Path) -> Outcome {
+    match read_sid(&folder.join("body.SID_FEM"), None) {
         Ok(body) => Outcome::Body(Box::new(body)),
         Err(error) => Outcome::Refused(error.to_string()),
     }

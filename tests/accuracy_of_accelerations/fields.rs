@@ -139,7 +139,9 @@ impl Fields {
             stiffness: diagonal(&|mu| frequency(mu).powi(2)),
             damping: diagonal(&|mu| 0.02 * frequency(mu)),
             geometric_stiffness: None,
+            second_order_terms: Default::default(),
             stress_markers: Vec::new(),
+            section_markers: Vec::new(),
             markers: Vec::new(),
         }
     }

@@ -46,8 +46,10 @@ pub fn of_points(
         stiffness,
         damping: vec![vec![0.0; count]; count],
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         markers: Vec::new(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
     }
 }
 

@@ -138,4 +138,12 @@ fn stress_markers_of_a_body_are_those_of_its_model() {
     );
     assert_eq!(marker.von_mises(&Vector2::from(q)), ffrf::von_mises(&found));
     assert_eq!(StiffenedBody.stress_marker("tip"), None);
+    assert_eq!(StiffenedBody.section_marker_names(), ["cut"]);
+    let (marker, model) = (StiffenedBody.section_marker("cut").unwrap(), &body.section_markers[0]);
+    assert_eq!(marker, StiffenedBody::CUT);
+    assert_eq!(marker.position.as_slice(), model.position);
+    let q = [2.0, -1.0];
+    let expected: [f64; 6] = std::array::from_fn(|k| q[0] * model.force[0][k] + q[1] * model.force[1][k]);
+    let (force, moment) = (marker.force(&Vector2::from(q)), marker.moment(&Vector2::from(q)));
+    assert_eq!([force.as_slice(), moment.as_slice()].concat(), expected);
 }

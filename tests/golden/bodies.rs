@@ -1,7 +1,7 @@
 //! The bodies whose generated code is committed: which model, by which options.
 
 use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
-use ffrf_model::{ReducedBody, StressMarker};
+use ffrf_model::{ReducedBody, SectionMarker, StressMarker};
 
 use ffrf_test_kit::random::Random;
 use ffrf_test_kit::random_body::{Modes, random_body, stiffened};
@@ -49,7 +49,7 @@ pub fn all() -> Vec<(&'static str, ReducedBody, GenerateOptions)> {
         ),
         (
             "stiffened_m2",
-            with_stress(stiffened(random_body(9, 2, Modes::Normalised), 10, STIFFENING)),
+            with_section(with_stress(stiffened(random_body(9, 2, Modes::Normalised), 10, STIFFENING))),
             options("StiffenedBody"),
         ),
         (
@@ -69,6 +69,17 @@ fn stiffened_without_linear_acceleration() -> ReducedBody {
     if let Some(geometric) = &mut body.geometric_stiffness {
         geometric.uniform_load.iter_mut().flatten().for_each(|load| *load = [0.0; 3]);
     }
+    body
+}
+
+/// With a cut, of numbers that tell rows from columns.
+fn with_section(mut body: ReducedBody) -> ReducedBody {
+    body.section_markers = vec![SectionMarker {
+        name: "cut".to_owned(),
+        position: [0.25, 0.5, -1.0],
+        normal: [0.0, 1.0, 0.0],
+        force: (0..body.mode_count()).map(|mu| std::array::from_fn(|k| (10 * mu + k) as f64)).collect(),
+    }];
     body
 }
 

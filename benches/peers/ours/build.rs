@@ -65,7 +65,9 @@ fn read(modes: usize, next: &mut impl FnMut() -> f64) -> ReducedBody {
         stiffness,
         damping: vec![vec![0.0; modes]; modes],
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: Vec::new(),
     }
 }

@@ -17,9 +17,10 @@ pub struct Inspect {
     /// Use these modes only: the first N, a range A..B or a list A,B,C (from 0).
     #[arg(long, value_name = "N|A..B|A,B,C")]
     pub modes: Option<ModeSelection>,
-    /// Which terms of the kinetic energy are kept: rigid, constant, linear, unstiffened, full, or a list of terms.
-    #[arg(long, value_name = "LEVEL|TERM,TERM,...", default_value = "full")]
-    pub fidelity: Fidelity,
+    /// Which terms of the kinetic energy are kept: rigid, constant, linear, unstiffened, full, or a list of terms (default: the level
+    /// with most terms that code of this body can have).
+    #[arg(long, value_name = "LEVEL|TERM,TERM,...")]
+    pub fidelity: Option<Fidelity>,
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
     #[arg(long, value_name = "X", default_value_t = DEFAULT_LAYOUT_TOLERANCE, value_parser = parse_tolerance)]
     pub layout_tolerance: f64,

@@ -8,13 +8,13 @@ use ffrf_model::Units;
 /// `ffrf convert`
 #[derive(Debug, Args)]
 pub struct Convert {
-    /// What to read: a reduced body (*.ffrf.json) or MBDyn's modal data (*.fem).
+    /// What to read: a reduced body (*.ffrf.json), MBDyn's modal data (*.fem) or standard input data (*.SID_FEM, *.sid).
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
-    /// Which units a file of MBDyn is in: `SI`, or length, mass, time such as `mm,t,s` (default: not known).
+    /// Which units another program's file is in: `SI`, or length, mass, time such as `mm,t,s` (default: not known).
     #[arg(long, value_name = "UNITS")]
     pub units: Option<Units>,
-    /// What to write: the other of the two.
+    /// What to write: a body if another format is read, another format if a body is read.
     #[arg(short, long, value_name = "OUTPUT")]
     pub output: PathBuf,
 }

@@ -91,5 +91,6 @@ fn quantity(kind: &SensorKind) -> (&'static str, &'static str) {
         SensorKind::ReactionForce(_) => ("force", "N"),
         SensorKind::ReactionMoment(_) => ("moment", "N m"),
         SensorKind::Stress { .. } => ("stress", "N/m²"),
+        SensorKind::SectionForce { .. } => ("section force and moment", "N, N m"),
     }
 }

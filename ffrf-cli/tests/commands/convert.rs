@@ -1,4 +1,4 @@
-//! `ffrf convert`: a body to MBDyn's modal data and back.
+//! `ffrf convert`: a body to MBDyn's modal data or to standard input data, and back.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use serde_json::Value;
@@ -44,6 +44,68 @@ fn a_body_travels_to_mbdyn_and_back() {
         assert!((found - expected).abs() <= ROUND_OFF * largest, "{found}, {expected}");
     }
     bench.run("inspect again.ffrf.json").succeeded();
+}
+
+/// The lines of a file without the terms of first order of a matrix.
+fn to_order_zero(text: &str, name: &str) -> String {
+    let mut inside = false;
+    let line = |line: &str| {
+        let word = line.trim();
+        inside = (inside || word == name) && word != format!("end {name}");
+        match inside {
+            true if word.starts_with("order") => Some("order = 0\n".to_owned()),
+            true if word.starts_with("m1") => None,
+            _ => Some(format!("{line}\n")),
+        }
+    };
+    text.lines().filter_map(line).collect()
+}
+
+#[test]
+fn a_body_travels_as_standard_input_data() {
+    let bench = Workbench::with_part();
+    bench.run(&format!("{REDUCE} --marker tip=3,4,5 --marker root=0,1,2")).succeeded();
+    let said = bench.run("convert body.ffrf.json -o body.SID_FEM").succeeded();
+    assert!(said.contains("written: body.SID_FEM"), "{said}");
+    let said = bench.run("convert body.SID_FEM --units SI -o again.ffrf.json").succeeded();
+    assert!(
+        said.contains("integrals that the file gives twice differ:") && said.contains("Ge and Cr by 0.0e0"),
+        "{said}"
+    );
+    let (first, again) = (body(&bench, "body.ffrf.json"), body(&bench, "again.ffrf.json"));
+    assert_eq!((&again["stiffness"], &again["damping"]), (&first["stiffness"], &first["damping"]));
+    for k in [0, 1] {
+        for part in ["name", "position", "translation", "rotation"] {
+            assert_eq!(again["markers"][k][part], first["markers"][k][part]);
+        }
+    }
+    assert_eq!(again["modes"][0]["frequency_hz"], first["modes"][0]["frequency_hz"]);
+    let (found, expected) = (numbers(&again["inertia"]), numbers(&first["inertia"]));
+    assert_eq!(found.len(), expected.len());
+    let largest = expected.iter().fold(0.0_f64, |most, number| most.max(number.abs()));
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found - expected).abs() <= ROUND_OFF * largest, "{found}, {expected}");
+    }
+
+    // Without terms of second order the body has the fidelities up to linear, and no other.
+    let lacking = to_order_zero(&to_order_zero(&bench.read("body.SID_FEM"), "Gr"), "Oe");
+    bench.write("lacking.sid", &lacking);
+    let said = bench.run("convert lacking.sid -o lacking.ffrf.json").succeeded();
+    assert!(said.contains("the body has no terms of second order, and fidelities up to linear"), "{said}");
+    bench.run("inspect lacking.ffrf.json --fidelity linear").succeeded();
+    assert!(bench.run("inspect lacking.ffrf.json").succeeded().contains("at fidelity linear"));
+    bench.run("generate lacking.ffrf.json --fidelity linear -o lacking.rs").succeeded();
+    let needs = ["fidelity full cannot be had", "expected linear, constant, rigid, or a list without them"];
+    bench.run("generate lacking.ffrf.json -o full.rs").failed(1, &needs);
+    bench.run("convert lacking.ffrf.json -o lacking.fem").failed(1, &["does not hold invariant I9"]);
+    assert!(!bench.files().contains(&"full.rs".to_owned()));
+    let scene = "[simulation]\nduration = 0.01\nstep = 0.001\n[bodies.part]\nmodel = \"lacking.ffrf.json\"\n";
+    bench.write("scene.toml", scene);
+    bench
+        .run("simulate scene.toml -o scene.csv")
+        .failed(1, &["bodies.part.fidelity", "fidelity full cannot be had"]);
+    bench.write("scene.toml", &format!("{scene}fidelity = \"linear\"\n"));
+    bench.run("simulate scene.toml -o scene.csv").succeeded();
 }
 
 #[test]

@@ -38,6 +38,7 @@ fn bench() -> Workbench {
     let second = 0.5 * EDGES[0] / 6.0 + EDGES[0] / 6.0;
     let near = |x: f64| x > 0.0 && x < second;
     deck.push_str(&set("ROOT", &|[x, ..]| x == 0.0));
+    deck.push_str(&set("TIP", &|[x, ..]| x == EDGES[0]));
     deck.push_str(&set("TOP", &|[x, _, z]| near(x) && z > 0.5 * EDGES[2]));
     deck.push_str(&set("BOTTOM", &|[x, _, z]| near(x) && z < 0.5 * EDGES[2]));
     deck.push_str(
@@ -170,4 +171,171 @@ fn what_cannot_be_done_is_said() {
     springs
         .run(&format!("{words} --stress tip=5 --elastic 210e9,0.3"))
         .failed(1, &["--stress tip", "no solid element"]);
+}
+
+/// The blade held at its root, pushed at its tip. Units of the step: s.
+const PUSHED: &str = r#"
+[simulation]
+duration = 2e-4
+step = 1e-6
+integrator = "rk4"
+[bodies.blade]
+model = "blade.ffrf.json"
+modal_coordinates = [3e-3, 1e-3, 0.0]
+[joints.clamp]
+kind = "fixed"
+first = "ground"
+second = "blade"
+[forces.push]
+kind = "force"
+second = "blade.tip"
+value = [PUSH, 0.0, 0.0]
+[sensors.place]
+kind = "position"
+of = "blade.tip"
+[sensors.speed]
+kind = "velocity"
+of = "blade.tip"
+[sensors.acceleration]
+kind = "acceleration"
+of = "blade.tip"
+"#;
+
+fn frequencies(bench: &Workbench, scene: &str) -> Vec<f64> {
+    bench.write("pushed.toml", scene);
+    bench.run("linearise pushed.toml -o pushed.npz").succeeded();
+    let archive = std::fs::read(bench.path("pushed.npz")).unwrap();
+    let mut archive = zip::ZipArchive::new(std::io::Cursor::new(archive)).unwrap();
+    let array = npyz::NpyFile::new(archive.by_name("frequencies_hz.npy").unwrap()).unwrap();
+    array.into_vec().unwrap()
+}
+
+fn determinant(m: &[[f64; 3]; 3]) -> f64 {
+    let minor = |j: usize, k: usize| m[1][j] * m[2][k] - m[1][k] * m[2][j];
+    m[0][0] * minor(1, 2) - m[0][1] * minor(0, 2) + m[0][2] * minor(0, 1)
+}
+
+#[test]
+fn loads_at_markers_stiffen_and_soften() {
+    let bench = bench();
+    let reduce = format!("{REDUCE} --marker tip=TIP --geometric-stiffness --load-stiffness");
+    bench
+        .run(&format!("{reduce} nose"))
+        .failed(1, &["--load-stiffness nose: no such marker", "there are: tip"]);
+    bench
+        .run(&format!("{REDUCE} --marker tip=TIP --load-stiffness tip"))
+        .failed(2, &["--geometric-stiffness"]);
+    bench.run(&format!("{reduce} tip")).succeeded();
+    let shown = bench.run("inspect blade.ffrf.json").succeeded();
+    assert!(shown.contains("of inertial loads, and of loads at tip"), "{shown}");
+    assert!(shown.contains("at fidelity unstiffened, the richest that code of this body has"), "{shown}");
+
+    let body = body(&bench);
+    let number = |value: &Value| value.as_f64().unwrap();
+    let load = &body["geometric_stiffness"]["marker_loads"][0];
+    assert_eq!(load["marker"], "tip");
+    let with = |force: f64| -> [[f64; 3]; 3] {
+        std::array::from_fn(|mu| {
+            std::array::from_fn(|nu| {
+                number(&body["stiffness"][mu][nu]) + force * number(&load["stiffness"][mu][nu][0])
+            })
+        })
+    };
+    // Modes of unit mass: the product of the squares of the angular frequencies is the determinant of the stiffness.
+    let push = 0.4 * with(0.0)[0][0] / (with(1.0)[0][0] - with(0.0)[0][0]);
+    for force in [0.0, -push, 2.0 * push] {
+        let found = frequencies(&bench, &PUSHED.replace("PUSH", &format!("{force:e}")));
+        assert_eq!(found.len(), 3, "{found:?}");
+        let product: f64 = found.iter().map(|f| (std::f64::consts::TAU * f).powi(2)).product();
+        let expected = determinant(&with(force));
+        assert!((product / expected - 1.0).abs() < 1e-6, "{force}: {product:e}, expected {expected:e}");
+    }
+    // Fidelities without stiffening do not know the load.
+    let level = |fidelity: &str, force: f64| {
+        let text = PUSHED.replace("[bodies.blade]", &format!("[bodies.blade]\nfidelity = \"{fidelity}\""));
+        frequencies(&bench, &text.replace("PUSH", &format!("{force:e}")))
+    };
+    for (free, pushed) in level("unstiffened", 0.0).iter().zip(level("unstiffened", -push)) {
+        assert!((free / pushed - 1.0).abs() < 1e-6, "{free}, {pushed}");
+    }
+
+    // Who does not know these rows says so.
+    let refusal = ["loads at markers (tip)", "fidelity full", "unstiffened"];
+    bench.run("generate blade.ffrf.json --name Blade").failed(1, &refusal);
+    bench.run("generate blade.ffrf.json --name Blade --fidelity unstiffened").succeeded();
+    let conserving = PUSHED.replace("rk4", "energy_momentum");
+    bench.write("conserving.toml", &conserving.replace("PUSH", "1.0"));
+    bench.run("simulate conserving.toml -o x.csv").failed(1, &["`energy_momentum` with body `blade`"]);
+
+    // What the marker's place does over time is its velocity, and what that does its acceleration.
+    bench.write("pushed.toml", &PUSHED.replace("PUSH", &format!("{:e}", -push)));
+    bench.run("simulate pushed.toml -o pushed.csv").succeeded();
+    let text = bench.read("pushed.csv");
+    let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|line| line.split(',').map(|x| x.parse().unwrap()).collect()).collect();
+    let column = |name: &str, row: usize| rows[row][head.iter().position(|it| *it == name).unwrap()];
+    for axis in ["x", "y", "z"] {
+        for (of, rate) in [("place", "speed"), ("speed", "acceleration")] {
+            let (of, rate) = (format!("{of}.{axis}"), format!("{rate}.{axis}"));
+            let (mut off, mut largest) = (0.0_f64, 0.0_f64);
+            for row in 1..rows.len() - 1 {
+                let step = column("t", row + 1) - column("t", row - 1);
+                let slope = (column(&of, row + 1) - column(&of, row - 1)) / step;
+                off = off.max((slope - column(&rate, row)).abs());
+                largest = largest.max(slope.abs());
+            }
+            // Central differences of 1e-6 s of motions below 20 kHz; along the blade the motion is of second order alone.
+            assert!(off < 1e-2 * largest, "{rate}: {off:e} of {largest:e}");
+        }
+    }
+}
+
+#[test]
+fn a_cut_shows_the_load_beyond_it() {
+    let bench = bench();
+    let interfaces = "--interface hold=set:ROOT --interface grip=set:TIP --reference fixed:hold --raw";
+    let reduce = "reduce --calculix blade.inp --modes 2 -o blade.ffrf.json";
+    bench.run(&format!("{reduce} {interfaces} --section mid=plane:0.25,0.025,0.01,1,0,0")).succeeded();
+    assert!(bench.run("inspect blade.ffrf.json").succeeded().contains("section"), "no section shown");
+    let scene = r#"
+[simulation]
+duration = 1e-6
+step = 1e-6
+[bodies.blade]
+model = "blade.ffrf.json"
+[joints.clamp]
+kind = "fixed"
+first = "ground"
+first_position = [0.0, 0.025, 0.01]
+second = "blade.hold"
+[forces.load]
+kind = "force"
+second = "blade.grip"
+value = [300.0, -20.0, 50.0]
+[sensors.mid]
+kind = "section_force"
+of = "blade.mid"
+"#;
+    bench.write("held.toml", scene);
+    bench.run("linearise held.toml --save-state rest.json").succeeded();
+    bench.run("simulate held.toml --load-state rest.json -o held.csv").succeeded();
+    let text = bench.read("held.csv");
+    let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    let first: Vec<f64> = text.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    let found = |name: &str| first[head.iter().position(|it| *it == format!("mid.{name}")).unwrap()];
+    // The force of the load, and the force times the distance from the cut to the tip.
+    let arm = 0.6 - 0.25;
+    for (name, expected) in
+        [("fx", 300.0), ("fy", -20.0), ("fz", 50.0), ("mx", 0.0), ("my", -50.0 * arm), ("mz", -20.0 * arm)]
+    {
+        assert!((found(name) - expected).abs() < 0.02, "{name}: {}, expected {expected}", found(name));
+    }
+    bench.write("held.toml", &scene.replace("blade.mid", "blade.end"));
+    bench
+        .run("simulate held.toml -o held.csv")
+        .failed(1, &["no section is called `blade.end`; there are blade.mid"]);
+    let outside = "--section mid=plane:0.7,0,0,1,0,0";
+    bench.run(&format!("{reduce} {interfaces} {outside}")).failed(1, &["expected nodes on both sides"]);
+    bench.run(&format!("{reduce} --section mid=plane:1")).failed(2, &["found 1 numbers"]);
 }

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use ffrf_model::ReducedBody;
 
-/// The names of the markers in upper case, made unique and unlike the `reserved` ones: those of the markers, then those of the
-/// stress markers.
-pub(super) fn constant_names(body: &ReducedBody, reserved: &[&str]) -> [Vec<String>; 2] {
+/// The names of the markers in upper case, made unique and unlike the `reserved` ones: those of the markers, of the stress markers
+/// and of the section markers.
+pub(super) fn constant_names(body: &ReducedBody, reserved: &[&str]) -> [Vec<String>; 3] {
     let mut taken: BTreeSet<String> = reserved.iter().map(|&name| name.to_owned()).collect();
     let mut unique = |name: &str| {
         let base: String = name
@@ -24,5 +24,6 @@ pub(super) fn constant_names(body: &ReducedBody, reserved: &[&str]) -> [Vec<Stri
         name
     };
     let markers = body.markers.iter().map(|marker| unique(&marker.name)).collect();
-    [markers, body.stress_markers.iter().map(|marker| unique(&marker.name)).collect()]
+    let stress = body.stress_markers.iter().map(|marker| unique(&marker.name)).collect();
+    [markers, stress, body.section_markers.iter().map(|marker| unique(&marker.name)).collect()]
 }

@@ -107,6 +107,11 @@ impl<'a> Coordinates<'a> {
         self.groups.iter().map(|group| group.first)
     }
 
+    /// The coordinate that is this degree of freedom of a node.
+    pub fn place_of(&self, dof: usize) -> Option<usize> {
+        self.compact.get(dof).copied().filter(|&place| place != NOT_FREE)
+    }
+
     /// u = T y on all 3N degrees of freedom; zero where they are held or loose.
     pub fn expand(&self, shapes: MatRef<'_, f64>) -> Mat<f64> {
         let mut full = Mat::zeros(self.compact.len(), shapes.ncols());

@@ -7,6 +7,7 @@ mod component_modes;
 mod geometric_stiffness;
 mod modes;
 mod reduction;
+mod section;
 mod stress;
 
 pub use crate::elements::ElementError;
@@ -14,6 +15,7 @@ pub use component_modes::ComponentModeError;
 pub use geometric_stiffness::GeometricStiffnessError;
 pub use modes::ModeError;
 pub use reduction::ReductionError;
+pub use section::SectionError;
 pub use stress::StressError;
 
 /// What can go wrong between a finite-element export and a reduced body.
@@ -49,6 +51,9 @@ pub enum FeError {
     /// Stresses cannot be recovered.
     #[error(transparent)]
     Stress(#[from] StressError),
+    /// A cut cannot be made.
+    #[error(transparent)]
+    Section(#[from] SectionError),
     /// An element is not usable.
     #[error(transparent)]
     Element(#[from] ElementError),

@@ -1,12 +1,13 @@
 //! Geometric stiffness of a mode basis.
 
+use faer::MatRef;
 use ffrf_model::GeometricStiffness;
 
 use crate::modes::ModeError;
 use crate::{Elasticity, FeError, FeModel, ModeBasis};
 
 use super::integrate::{self, Integrals, integrate};
-use super::loads::{by_load, unit_loads};
+use super::loads::{COUNT, by_load, unit_loads};
 use super::support::{PrestressSupport, displacements};
 use super::{GeometricStiffnessError, uniform_elasticity};
 
@@ -30,6 +31,28 @@ pub fn geometric_stiffness(
     support: &PrestressSupport,
     elasticity: Option<Elasticity>,
 ) -> Result<GeometricStiffness, FeError> {
+    let loads = unit_loads(model);
+    let stiffness = stress_stiffness(model, basis, support, elasticity, loads.as_ref())?;
+    let modes = basis.modes.len();
+    let pair = |mu: usize, nu: usize| by_load(&stiffness[mu.min(nu)][mu.max(nu)]);
+    let list = || 0..modes;
+    Ok(GeometricStiffness {
+        uniform_load: list().map(|mu| list().map(|nu| pair(mu, nu).0).collect()).collect(),
+        linear_load: list().map(|mu| list().map(|nu| pair(mu, nu).1).collect()).collect(),
+        marker_loads: Vec::new(),
+    })
+}
+
+/// Γ_μν of the stresses of each load, at [mu][nu] with mu <= nu. `loads`: nodal forces. Shape: 3N x [`COUNT`].
+///
+/// Errors: those of [`geometric_stiffness`].
+pub(super) fn stress_stiffness(
+    model: &FeModel,
+    basis: &ModeBasis,
+    support: &PrestressSupport,
+    elasticity: Option<Elasticity>,
+    loads: MatRef<'_, f64>,
+) -> Result<Vec<Vec<[f64; COUNT]>>, FeError> {
     if model.elements.is_empty() {
         return Err(GeometricStiffnessError::NoElements.into());
     }
@@ -41,8 +64,7 @@ pub fn geometric_stiffness(
         let Elasticity { youngs_modulus, poisson_ratio } = elasticity;
         return Err(GeometricStiffnessError::Unstable { youngs_modulus, poisson_ratio }.into());
     }
-    let loads = unit_loads(model);
-    let loaded = displacements(model, support, loads.as_ref())?;
+    let loaded = displacements(model, support, loads)?;
     let Integrals { stiffness, strain_energy } =
         integrate(model, &elasticity, loaded.as_ref(), basis.shapes.as_ref())?;
     let matrix = model.stiffness.as_ref().ok_or(ModeError::MissingStiffness)?;
@@ -54,11 +76,5 @@ pub fn geometric_stiffness(
             GeometricStiffnessError::Energy { ratio, youngs_modulus: elasticity.youngs_modulus }.into()
         );
     }
-    let modes = basis.modes.len();
-    let pair = |mu: usize, nu: usize| by_load(&stiffness[mu.min(nu)][mu.max(nu)]);
-    let list = || 0..modes;
-    Ok(GeometricStiffness {
-        uniform_load: list().map(|mu| list().map(|nu| pair(mu, nu).0).collect()).collect(),
-        linear_load: list().map(|mu| list().map(|nu| pair(mu, nu).1).collect()).collect(),
-    })
+    Ok(stiffness)
 }

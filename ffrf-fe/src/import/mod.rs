@@ -13,7 +13,8 @@
 //! | Nastran | deck: `GRID`, solids, `MAT1`, `SET1` | `DMIG` of a punch file, `OUTPUT4` (text, binary) |
 //! | gmsh, VTK | `.msh` 4.1 and 2.2, `.vtu` | assembled of the solids, of one material |
 //!
-//! A reduced body comes from a data file of MBDyn's modal joint ([`read_mbdyn`]), which [`crate::export`] writes.
+//! A reduced body comes from a data file of MBDyn's modal joint ([`read_mbdyn`]) or from standard input data ([`read_sid`]), which
+//! [`crate::export`] writes.
 //!
 //! The format of a matrix file is told by its first bytes, so any matrix format goes with any node source. A file
 //! that is not there is looked for with `.gz` after its name.
@@ -37,7 +38,7 @@ mod options;
 mod text;
 
 pub use error::ImportError;
-pub use formats::{read_matrix, read_mbdyn, read_mode_shapes, read_square_matrix};
+pub use formats::{read_matrix, read_mbdyn, read_mode_shapes, read_sid, read_square_matrix};
 pub use model_files::{Import, ModelFiles, NodeSource, read_model, read_model_with};
 pub use note::{Note, Weight};
 pub use options::{INFLATED_LIMIT, ImportOptions, MassForm};

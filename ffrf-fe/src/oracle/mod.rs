@@ -12,16 +12,15 @@
 //! No formula is shared with the reduction or with the generated kernels. Sums carry twice the digits of
 //! `f64`, so that a deviation is that of the other side.
 
-mod compensated;
 mod magnitudes;
 mod second_order;
 
 use faer::MatRef;
 
+use crate::compensated::{Sum, dot};
 use crate::geometric_stiffness::SecondOrder;
 use crate::modes::ModeError;
 use crate::{FeModel, ModeBasis, SparseMatrix};
-use compensated::{Sum, dot};
 pub use magnitudes::{Scales, group_of};
 
 /// A finite-element model with a mode basis, ready to be evaluated state by state.

@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use faer::Mat;
 use ffrf_model::{Marker, Vector3};
 
-use crate::FeModel;
 use crate::modes::{entries, symmetric_eigen};
 use crate::tolerances::SPREAD;
+use crate::{FeModel, ModeBasis};
 
 use super::{MarkerRequest, ReductionError};
 
@@ -56,6 +56,61 @@ pub(crate) fn make_marker(
     })
 }
 
+/// How a marker moves with the shapes of a basis: [`reduce`](super::reduce) makes its markers so.
+///
+/// Errors: no node, a node that does not exist or that no matrix knows, all nodes on one line.
+pub fn marker_motion(
+    model: &FeModel,
+    basis: &ModeBasis,
+    request: &MarkerRequest,
+) -> Result<Marker, ReductionError> {
+    make_marker(model, &basis.shapes, request)
+}
+
+/// Nodal forces of unit forces along x, y, z at a marker and unit moments about them. Shape: 3N x 6.
+///
+/// The transpose of the map from displacements to the motion of the marker: a virtual displacement of the nodes does the work that
+/// the marker's does. A marker beside the mean of its nodes (an interface) is taken to be rigidly joined to them.
+/// Errors: no node, a node that does not exist, all nodes on one line.
+pub(crate) fn unit_loads_at(model: &FeModel, marker: &Marker) -> Result<Mat<f64>, ReductionError> {
+    let count = model.nodes.len();
+    let row_of = |id: &u64| {
+        let unknown =
+            ReductionError::MarkerNode { marker: marker.name.clone(), row: *id as usize, nodes: count };
+        model.nodes.ids.iter().position(|known| known == id).ok_or(unknown)
+    };
+    let rows: Vec<usize> = marker.nodes.iter().map(row_of).collect::<Result<_, _>>()?;
+    if rows.is_empty() {
+        return Err(ReductionError::EmptyMarker { marker: marker.name.clone() });
+    }
+    let fit = match rows[..] {
+        [row] => fit_around(model, row),
+        _ => RotationFit::new(model, &rows),
+    };
+    let fit = fit.map_err(|(nodes, spread)| ReductionError::MarkerRotation {
+        marker: marker.name.clone(),
+        nodes,
+        spread,
+    })?;
+    let centre = mean(&rows, |row| model.nodes.positions[row]);
+    let offset: Vector3 = [0, 1, 2].map(|k| marker.position[k] - centre[k]);
+    let mut loads = Mat::zeros(3 * count, 6);
+    for k in 0..3 {
+        for &row in &rows {
+            loads[(3 * row + k, k)] += 1.0 / rows.len() as f64;
+        }
+        // e_k at the offset turns about the mean; an offset of round-off turns nothing.
+        let axis: Vector3 = std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 });
+        fit.add_moment(&mut loads, k, cross(offset, axis));
+        fit.add_moment(&mut loads, 3 + k, axis);
+    }
+    Ok(loads)
+}
+
+fn cross(a: Vector3, b: Vector3) -> Vector3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// The linear map from nodal displacements to the least-squares small rotation ω:
 /// Σ (r² I - r rᵀ) ω = Σ r × u, with r from the mean position of the nodes.
 struct RotationFit {
@@ -88,6 +143,16 @@ impl RotationFit {
         let inverse = [0, 1, 2]
             .map(|i| [0, 1, 2].map(|j| (0..3).map(|k| vectors[(i, k)] * vectors[(j, k)] / values[k]).sum()));
         Ok(Self { rows: rows.to_vec(), arms, inverse })
+    }
+
+    /// Adds the nodal forces of a moment to a column: those whose work is that of the moment on [`Self::rotation`].
+    fn add_moment(&self, loads: &mut Mat<f64>, column: usize, moment: Vector3) {
+        let turned: Vector3 = [0, 1, 2].map(|i| (0..3).map(|j| self.inverse[i][j] * moment[j]).sum());
+        for (&row, &arm) in self.rows.iter().zip(&self.arms) {
+            for (k, force) in cross(turned, arm).into_iter().enumerate() {
+                loads[(3 * row + k, column)] += force;
+            }
+        }
     }
 
     fn rotation(&self, shapes: &Mat<f64>, mode: usize) -> Vector3 {

@@ -66,8 +66,10 @@ pub fn reduce(
         stiffness: rows(&stiffness),
         damping: rows(&damping),
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         markers,
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
     };
     match body.check()?.verdict() {
         Ok(()) => Ok(body),

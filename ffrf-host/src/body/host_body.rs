@@ -3,7 +3,8 @@
 use ffrf_codegen::fidelity::{EnergyTerm, Fidelity};
 use ffrf_model::ReducedBody;
 use ffrf_runtime::{
-    FlexibleBody, GeneralisedForce, Marker, ModalMatrix, ModalVector, Observables, Prepared, StressMarker,
+    FlexibleBody, GeneralisedForce, Marker, ModalMatrix, ModalVector, Observables, Prepared, SectionMarker,
+    StressMarker,
 };
 use nalgebra::{DMatrix, DVector, Matrix3, RealField, Vector3, convert};
 
@@ -34,6 +35,8 @@ pub struct HostBody<T: RealField + Copy = f64> {
     second_order_rotation: Vec<Vec<Vector3<T>>>,
     /// -Γ_μν of uniform loads. Shape: M x M, or none.
     second_order_translation: Vec<Vec<Vector3<T>>>,
+    /// Γ of unit forces and moments at each marker of the model that has them. Shape: 6 x M x M, or none.
+    marker_loads: Vec<Option<Box<[DMatrix<T>; 6]>>>,
     modal_mass: ModalMatrix<HostModal<T>, T>,
     stiffness: ModalMatrix<HostModal<T>, T>,
     damping: ModalMatrix<HostModal<T>, T>,
@@ -97,6 +100,17 @@ impl HostBody {
                 let negative = |load: &[f64; 3]| -Vector3::from(*load);
                 it.uniform_load.iter().map(|row| row.iter().map(negative).collect()).collect()
             }),
+            marker_loads: geometric
+                .filter(|it| !it.marker_loads.is_empty() && fidelity.keeps_load_stiffness())
+                .map_or(Vec::new(), |it| {
+                    let of_marker = |name: &str| {
+                        let load = it.marker_loads.iter().find(|load| load.marker == name)?;
+                        let axis =
+                            |k: usize| DMatrix::from_fn(modes, modes, |mu, nu| load.stiffness[mu][nu][k]);
+                        Some(Box::new(core::array::from_fn(axis)))
+                    };
+                    body.markers.iter().map(|marker| of_marker(&marker.name)).collect()
+                }),
             modal_mass: matrix(modes, |mu, nu| 0.5 * (trace(mu, nu) + trace(nu, mu))),
             stiffness: matrix(modes, |mu, nu| body.stiffness[mu][nu]),
             damping: matrix(modes, |mu, nu| body.damping[mu][nu]),
@@ -128,6 +142,7 @@ impl HostBody {
             whirl: Vec::new(),
             second_order_rotation: Vec::new(),
             second_order_translation: Vec::new(),
+            marker_loads: Vec::new(),
             modal_mass: nothing(),
             stiffness: nothing(),
             damping: nothing(),
@@ -187,6 +202,28 @@ impl HostBody {
 }
 
 impl HostBody {
+    /// Whether loads at some marker stiffen it, so that the rows of the marker follow the deformation.
+    pub fn has_load_stiffness(&self) -> bool {
+        self.marker_loads.iter().any(Option::is_some)
+    }
+
+    /// The section markers of a model, in its order.
+    pub fn section_markers(body: &ReducedBody) -> Vec<SectionMarker<HostModal, f64>> {
+        let rows = |list: &[[f64; 6]], first: usize| -> [HostModal; 3] {
+            core::array::from_fn(|axis| {
+                HostModal(DVector::from_iterator(list.len(), list.iter().map(|entry| entry[first + axis])))
+            })
+        };
+        let sections = body.section_markers.iter();
+        sections
+            .map(|marker| SectionMarker {
+                position: marker.position.into(),
+                force: rows(&marker.force, 0),
+                moment: rows(&marker.force, 3),
+            })
+            .collect()
+    }
+
     /// The stress markers of a model, in its order.
     pub fn stress_markers(body: &ReducedBody) -> Vec<StressMarker<HostModal, f64>> {
         let row = |list: &[[f64; 6]], component: usize| {
@@ -228,6 +265,13 @@ impl HostBody {
             whirl: self.whirl.iter().map(|row| row.iter().map(vector).collect()).collect(),
             second_order_rotation: pairs(&self.second_order_rotation),
             second_order_translation: pairs(&self.second_order_translation),
+            marker_loads: self
+                .marker_loads
+                .iter()
+                .map(|load| {
+                    load.as_ref().map(|load| Box::new(load.each_ref().map(|matrix| matrix.map(convert))))
+                })
+                .collect(),
             modal_mass: cast_matrix(&self.modal_mass),
             stiffness: cast_matrix(&self.stiffness),
             damping: cast_matrix(&self.damping),
@@ -330,6 +374,20 @@ impl<T: RealField + Copy> FlexibleBody<T> for HostBody<T> {
 
     fn is_stiffened(&self) -> bool {
         self.is_stiffened
+    }
+
+    fn bent_marker(
+        &self,
+        index: usize,
+        marker: &Marker<HostModal<T>, T>,
+        q: &HostModal<T>,
+    ) -> Option<Marker<HostModal<T>, T>> {
+        let load = self.marker_loads.get(index)?.as_ref()?;
+        let mut bent = marker.clone();
+        for (row, stiffness) in bent.translation.iter_mut().chain(&mut bent.rotation).zip(load.iter()) {
+            row.0 -= stiffness * &q.0;
+        }
+        Some(bent)
     }
 
     fn largest_stable_step(&self) -> Option<T> {

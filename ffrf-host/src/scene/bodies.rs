@@ -57,6 +57,9 @@ fn flexible(name: &str, key: &str, table: &BodyTable, path: &Path) -> Result<Nam
         model = model.with_modes(count).map_err(refused)?;
     }
     let fidelity = fidelity(key, table.fidelity.as_ref())?;
+    fidelity
+        .check_held(model.second_order_terms)
+        .map_err(|error| SceneError::Key { key: format!("{key}.fidelity"), message: error.to_string() })?;
     Ok(NamedBody {
         name: name.to_owned(),
         body: HostBody::new(&model, &fidelity),
@@ -66,6 +69,10 @@ fn flexible(name: &str, key: &str, table: &BodyTable, path: &Path) -> Result<Nam
         stress_markers: {
             let names = model.stress_markers.iter().map(|marker| marker.name.clone());
             names.zip(HostBody::stress_markers(&model)).collect()
+        },
+        section_markers: {
+            let names = model.section_markers.iter().map(|marker| marker.name.clone());
+            names.zip(HostBody::section_markers(&model)).collect()
         },
     })
 }
@@ -124,6 +131,7 @@ fn rigid(name: &str, key: &str, table: &BodyTable, mass: f64) -> Result<NamedBod
         markers,
         stress_markers: Vec::new(),
         model: None,
+        section_markers: Vec::new(),
         body,
     })
 }

@@ -299,5 +299,8 @@ fn sensor_kind(
         SensorKind::Stress { .. } => {
             return Err(refused(format!("sensors.{name}"), "another kind of sensor", "a stress"));
         }
+        SensorKind::SectionForce { .. } => {
+            return Err(refused(format!("sensors.{name}"), "another kind of sensor", "a section force"));
+        }
     })
 }

@@ -1,7 +1,7 @@
 //! Names of bodies and markers, and where they stand.
 
 use ffrf_runtime::mechanism::Attachment;
-use ffrf_runtime::{FlexibleBody, Marker, StressMarker};
+use ffrf_runtime::{FlexibleBody, Marker, SectionMarker, StressMarker};
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::file::Vector;
@@ -20,6 +20,8 @@ pub(super) struct NamedBody {
     pub(super) markers: Vec<Marker<HostModal, f64>>,
     /// Stress markers of the model, by name.
     pub(super) stress_markers: Vec<(String, StressMarker<HostModal, f64>)>,
+    /// Section markers of the model, by name.
+    pub(super) section_markers: Vec<(String, SectionMarker<HostModal, f64>)>,
 }
 
 impl NamedBody {
@@ -95,30 +97,30 @@ pub(super) fn attachment(
     Ok(Attachment { body: Some(index), marker, position: Vector3::zeros(), orientation })
 }
 
-/// The stress marker called `name`, BODY.MARKER, and the number of its body.
-pub(super) fn stress_marker(
+/// The marker of a `kind` of its own that is called `name`, BODY.MARKER, and the number of its body.
+pub(super) fn named_in_a_body<M: Clone>(
     bodies: &[NamedBody],
     key: &str,
+    kind: &'static str,
     name: &str,
-) -> Result<(usize, StressMarker<HostModal, f64>), SceneError> {
-    let all = || {
-        bodies.iter().enumerate().flat_map(|(index, body)| {
-            let markers = body.stress_markers.iter();
-            markers.map(move |(marker, stress)| (index, format!("{}.{marker}", body.name), stress))
-        })
-    };
-    match all().find(|(_, known, _)| known == name) {
-        Some((index, _, marker)) => Ok((index, marker.clone())),
-        None => {
-            let known: Vec<String> = all().map(|(_, known, _)| known).collect();
-            Err(SceneError::Unknown {
-                key: key.to_owned(),
-                kind: "stress marker",
-                found: name.escape_debug().to_string(),
-                known: if known.is_empty() { "none".to_owned() } else { known.join(", ") },
-            })
+    markers: impl Fn(&NamedBody) -> &[(String, M)],
+) -> Result<(usize, M), SceneError> {
+    let mut known = Vec::new();
+    for (index, body) in bodies.iter().enumerate() {
+        for (marker, found) in markers(body) {
+            let full = format!("{}.{marker}", body.name);
+            if full == name {
+                return Ok((index, found.clone()));
+            }
+            known.push(full);
         }
     }
+    Err(SceneError::Unknown {
+        key: key.to_owned(),
+        kind,
+        found: name.escape_debug().to_string(),
+        known: if known.is_empty() { "none".to_owned() } else { known.join(", ") },
+    })
 }
 
 /// Errors: both ends are on one body, or on the ground.

@@ -1,11 +1,11 @@
 //! What a scene measures.
 
-use ffrf_runtime::StressMarker;
 use ffrf_runtime::mechanism::Attachment;
+use ffrf_runtime::{SectionMarker, StressMarker};
 
 use super::SceneError;
 use super::file::SensorTable;
-use super::names::{NamedBody, attachment, stress_marker};
+use super::names::{NamedBody, attachment, named_in_a_body};
 use crate::HostModal;
 
 /// A sensor of a scene.
@@ -41,6 +41,13 @@ pub enum SensorKind {
         /// The marker.
         marker: Box<StressMarker<HostModal, f64>>,
     },
+    /// Force and moment through a cut of a body. Units: N, N m. Frame: body.
+    SectionForce {
+        /// Number of the body.
+        body: usize,
+        /// The marker.
+        marker: Box<SectionMarker<HostModal, f64>>,
+    },
 }
 
 impl SensorKind {
@@ -49,14 +56,14 @@ impl SensorKind {
         match self {
             Self::Angle(_) => &[""],
             Self::Orientation(_) => &[".w", ".x", ".y", ".z"],
+            Self::SectionForce { .. } => &[".fx", ".fy", ".fz", ".mx", ".my", ".mz"],
             Self::Stress { .. } => &[".xx", ".yy", ".zz", ".xy", ".xz", ".yz", ".von_mises"],
             _ => &[".x", ".y", ".z"],
         }
     }
 }
 
-const KINDS: &str =
-    "position, velocity, acceleration, orientation, angle, reaction_force, reaction_moment, stress";
+const KINDS: &str = "position, velocity, acceleration, orientation, angle, reaction_force, reaction_moment, stress, section_force";
 
 /// The sensor of a table. `joints`: names and connections of each joint, its drive included.
 pub(super) fn sensor(
@@ -68,8 +75,14 @@ pub(super) fn sensor(
     let key = format!("sensors.{name}");
     let of = format!("{key}.of");
     if table.kind == "stress" {
-        let (body, marker) = stress_marker(bodies, &of, &table.of)?;
+        let (body, marker) =
+            named_in_a_body(bodies, &of, "stress marker", &table.of, |it| &it.stress_markers)?;
         let kind = SensorKind::Stress { body, marker: Box::new(marker) };
+        return Ok(Sensor { name: name.to_owned(), kind });
+    }
+    if table.kind == "section_force" {
+        let (body, marker) = named_in_a_body(bodies, &of, "section", &table.of, |it| &it.section_markers)?;
+        let kind = SensorKind::SectionForce { body, marker: Box::new(marker) };
         return Ok(Sensor { name: name.to_owned(), kind });
     }
     let mut at = || attachment(bodies, &of, &table.of, None);

@@ -107,16 +107,24 @@ pub(crate) fn read<T: RealField + Copy>(
         SensorKind::ReactionMoment(joints) => {
             values.extend_from_slice(reaction(mechanism, storage, joints).1.as_slice());
         }
+        SensorKind::SectionForce { body, marker } => {
+            let coordinates = ports.0[*body].state.modal_coordinates.0.as_slice();
+            let rows = marker.force.iter().chain(&marker.moment);
+            values.extend(rows.map(|row| product(row, coordinates)));
+        }
         SensorKind::Stress { body, marker } => {
             let coordinates = ports.0[*body].state.modal_coordinates.0.as_slice();
-            let stress = marker.stress.each_ref().map(|row| {
-                let terms = row.0.iter().zip(coordinates);
-                terms.fold(T::zero(), |sum, (entry, q)| sum + convert::<f64, T>(*entry) * *q)
-            });
+            let stress = marker.stress.each_ref().map(|row| product(row, coordinates));
             values.extend_from_slice(&stress);
             values.push(von_mises(&stress));
         }
     }
+}
+
+/// A row of constants times modal coordinates.
+fn product<T: RealField + Copy>(row: &HostModal, coordinates: &[T]) -> T {
+    let terms = row.0.iter().zip(coordinates);
+    terms.fold(T::zero(), |sum, (entry, q)| sum + convert::<f64, T>(*entry) * *q)
 }
 
 /// Force and moment of joints on their second body, at the attachment there.

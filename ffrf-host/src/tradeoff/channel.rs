@@ -113,6 +113,7 @@ impl Channel {
             SensorKind::ReactionForce(_) => "N",
             SensorKind::ReactionMoment(_) => "N m",
             SensorKind::Stress { .. } => "N/m²",
+            SensorKind::SectionForce { .. } => "N, N m",
         };
         Self { name: sensor.name.clone(), unit, source: Source::Sensor(sensor.kind.clone()) }
     }

@@ -95,7 +95,9 @@ fn rod() -> ReducedBody {
         ],
         damping: vec![vec![0.0; 4]; 4],
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: vec![marker("ROOT", 0.0, still), marker("TIP", ROD, tip)],
     }
 }

@@ -90,6 +90,7 @@ fn geometric_stiffness() -> GeometricStiffness {
             .iter()
             .map(|row| row.iter().map(|load| along(*load)).collect())
             .collect(),
+        marker_loads: Vec::new(),
     }
 }
 
@@ -143,7 +144,9 @@ fn beam() -> ReducedBody {
             .collect(),
         damping: vec![vec![0.0; 4]; 4],
         geometric_stiffness: Some(geometric_stiffness()),
+        second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: vec![Marker {
             name: "TIP".to_owned(),
             nodes: Vec::new(),

@@ -77,7 +77,9 @@ pub fn body(modes: usize) -> ReducedBody {
         stiffness: square(1e4, 17.0),
         damping: square(0.1, 0.0),
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: vec![Marker {
             name: "tip".to_owned(),
             nodes: vec![11],

@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::{GeneralisedForce, ModalMatrix, ModalVector, Motion, Prepared};
+use super::{GeneralisedForce, Marker, ModalMatrix, ModalVector, Motion, Prepared};
 
 /// A flexible body in the scalar type `T`; the number of its modes is that of [`Modal`](Self::Modal).
 ///
@@ -65,6 +65,21 @@ pub trait FlexibleBody<T: RealField + Copy = f64> {
         false
     }
 
+    /// The rows of a marker in the state `q`, if they follow the deformation: where loads at the marker stress the body, it moves by
+    /// terms of second order in q, and its rows are φ_μ - Γ_μν q_ν. `None` for a marker whose rows are constant.
+    ///
+    /// `index`: the marker's number in its mechanism. The position is not changed: the place in the state `q` is the mean of those that
+    /// both markers give.
+    fn bent_marker(
+        &self,
+        index: usize,
+        marker: &Marker<Self::Modal, T>,
+        q: &Self::Modal,
+    ) -> Option<Marker<Self::Modal, T>> {
+        let _ = (index, marker, q);
+        None
+    }
+
     /// The largest step of the classical Runge-Kutta method that keeps the body's vibration bounded. Units: s.
     ///
     /// From the highest frequency of the free body; `None` if it is not known, or if nothing vibrates.
@@ -117,6 +132,15 @@ impl<B: FlexibleBody<T>, T: RealField + Copy> FlexibleBody<T> for &B {
 
     fn is_stiffened(&self) -> bool {
         (**self).is_stiffened()
+    }
+
+    fn bent_marker(
+        &self,
+        index: usize,
+        marker: &Marker<Self::Modal, T>,
+        q: &Self::Modal,
+    ) -> Option<Marker<Self::Modal, T>> {
+        (**self).bent_marker(index, marker, q)
     }
 
     fn largest_stable_step(&self) -> Option<T> {

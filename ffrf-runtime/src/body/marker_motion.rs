@@ -88,7 +88,7 @@ impl<T: RealField + Copy> Wrench<T> {
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedMarker<'a, V, T: RealField + Copy> {
     pub(super) marker: &'a Marker<V, T>,
-    orientation: UnitQuaternion<T>,
+    pub(super) orientation: UnitQuaternion<T>,
     /// The axes of the body as columns. Frame: inertial.
     pub(super) axes: Matrix3<T>,
     /// x + Ψ q, body frame.

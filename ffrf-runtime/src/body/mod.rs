@@ -1,5 +1,6 @@
 //! What a body is (model), what depends on its state (data), and what can be seen of it.
 
+mod bent_marker;
 mod dense_forms;
 mod envelope;
 mod family;
@@ -22,6 +23,7 @@ mod oscillator;
 mod pair;
 mod prepared;
 mod rigid_body;
+mod section_marker;
 mod span;
 mod span_marker;
 mod state;
@@ -46,9 +48,11 @@ pub use observables::Observables;
 pub use pair::{Pair, PairSystem};
 pub use prepared::{Eliminated, Factored, Prepared};
 
+pub(crate) use bent_marker::{marker_motion, with_placed};
 pub(crate) use implicit::{ImplicitBody, implicit_modal_mass};
 pub use oscillator::Oscillators;
 pub use rigid_body::RigidBody;
+pub use section_marker::SectionMarker;
 pub(crate) use span::Span;
 pub(crate) use span_marker::SpanMarker;
 pub use state::State;

@@ -2,7 +2,7 @@
 
 use nalgebra::RealField;
 
-use super::{FlexibleBody, Marker, StressMarker};
+use super::{FlexibleBody, Marker, SectionMarker, StressMarker};
 
 /// The markers of a body by their names in the model. Generated bodies have each as a constant as well.
 pub trait NamedMarkers<T: RealField + Copy = f64>: FlexibleBody<T> {
@@ -16,6 +16,15 @@ pub trait NamedMarkers<T: RealField + Copy = f64>: FlexibleBody<T> {
     }
     /// The stress marker called `name`, or `None`.
     fn stress_marker(&self, name: &str) -> Option<StressMarker<Self::Modal, T>> {
+        let _ = name;
+        None
+    }
+    /// The names of the section markers, in the order of the model.
+    fn section_marker_names(&self) -> &'static [&'static str] {
+        &[]
+    }
+    /// The section marker called `name`, or `None`.
+    fn section_marker(&self, name: &str) -> Option<SectionMarker<Self::Modal, T>> {
         let _ = name;
         None
     }

@@ -6,7 +6,8 @@ use super::kept_modes::copy_from;
 use super::{AttachedRows, Keeping, Level, Phase, Port, RigidFrame};
 use crate::body::{
     Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep,
-    ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench, implicit_modal_mass,
+    ModalVector, Motion, PlacedMarker, Span, SpanMarker, State, Wrench, implicit_modal_mass, marker_motion,
+    with_placed,
 };
 use crate::integrators::StepError;
 use crate::rotation::matrix;
@@ -184,21 +185,19 @@ where
         self.axes = matrix(&self.state.orientation);
     }
 
-    #[inline]
-    fn placed(&self, marker: usize) -> Option<PlacedMarker<'a, B::Modal, T>> {
-        self.markers.get(marker).map(|marker| PlacedMarker::with_axes(marker, &self.state, &self.axes))
-    }
-
-    fn generalised_force(&self, marker: usize, wrench: &Wrench<T>) -> Option<GeneralisedForce<B::Modal, T>> {
-        let marker = self.markers.get(marker)?;
+    fn generalised_force(&self, index: usize, wrench: &Wrench<T>) -> Option<GeneralisedForce<B::Modal, T>> {
+        let marker = self.markers.get(index)?;
         Some(match &self.span {
             Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
-            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).generalised_force(wrench),
+            None => with_placed(self.body, (index, marker), &self.state, &self.axes, |placed| {
+                placed.generalised_force(wrench)
+            }),
         })
     }
 
-    fn twist(&self, marker: usize, motion: &Motion<B::Modal, T>) -> [Vector3<T>; 2] {
-        self.placed(marker).map_or([Vector3::zeros(); 2], |placed| placed.twist(motion))
+    fn twist(&self, index: usize, motion: &Motion<B::Modal, T>) -> [Vector3<T>; 2] {
+        let Some(marker) = self.markers.get(index) else { return [Vector3::zeros(); 2] };
+        with_placed(self.body, (index, marker), &self.state, &self.axes, |placed| placed.twist(motion))
     }
 }
 
@@ -209,10 +208,13 @@ where
     T: RealField + Copy,
     K: Keeping<B::Modal, T>,
 {
-    fn marker_motion(&self, marker: usize) -> MarkerMotion<T> {
-        match self.markers.get(marker) {
-            Some(marker) => self.motion_of(marker),
-            None => MarkerMotion::fixed(self.state.position, self.state.orientation),
+    fn marker_motion(&self, index: usize) -> MarkerMotion<T> {
+        let Some(marker) = self.markers.get(index) else {
+            return MarkerMotion::fixed(self.state.position, self.state.orientation);
+        };
+        match &self.span {
+            None => marker_motion(self.body, (index, marker), &self.state, &self.axes),
+            Some(_) => self.motion_of(marker),
         }
     }
 
@@ -350,16 +352,16 @@ where
         effects: &mut Square<T>,
         compliances: Option<&mut [T; 6]>,
     ) {
-        let (Some(marker), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
+        let (Some(place), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
         let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else { return };
         *count = rows;
         if let Some(frame) = &self.frame {
             match &self.span {
                 Some((span, _)) => {
-                    *effects = SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut());
+                    *effects = SpanMarker::new(place, span).generalised_forces(gradients, modal.as_mut());
                     frame.to_components(effects);
                 }
-                None => frame.effects(&marker.position, gradients, effects),
+                None => frame.effects(&place.position, gradients, effects),
             }
             if let Some(compliances) = compliances {
                 for (effect, yields) in effects.iter().zip(&self.yields) {
@@ -370,13 +372,11 @@ where
         }
         match &self.span {
             Some((span, _)) => {
-                *effects = SpanMarker::new(marker, span).generalised_forces(gradients, modal.as_mut());
+                *effects = SpanMarker::new(place, span).generalised_forces(gradients, modal.as_mut());
             }
-            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).generalised_forces(
-                gradients,
-                effects,
-                modal.as_mut(),
-            ),
+            None => with_placed(self.body, (marker, place), &self.state, &self.axes, |placed| {
+                placed.generalised_forces(gradients, effects, modal.as_mut());
+            }),
         }
         if self.kept.kept().is_some() {
             if let Some(compliances) = compliances {

@@ -61,6 +61,7 @@ pub fn random_geometric_stiffness(seed: u64, count: usize, size: f64) -> Geometr
     let mut geometric = GeometricStiffness {
         uniform_load: vec![vec![[0.0; 3]; count]; count],
         linear_load: vec![vec![[[0.0; 3]; 3]; count]; count],
+        marker_loads: Vec::new(),
     };
     for mu in 0..count {
         for nu in mu..count {
@@ -134,7 +135,9 @@ fn body(masses: &[f64], positions: &Field, fields: &[Field], random: &mut Random
         stiffness,
         damping,
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         markers: vec![marker("tip", 0), marker("root", 1)],
     }
 }

@@ -1,6 +1,6 @@
 //! The body's own numbers and its markers.
 
-use ffrf_model::{Marker, StressMarker};
+use ffrf_model::Marker;
 
 use super::Style;
 use super::notation::number;
@@ -36,7 +36,18 @@ pub(super) fn constants(text: &mut Text, subject: &Subject<'_>, style: &Style) {
 /// Writes the type of markers and what there is.
 pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style) {
     let Some(model) = subject.model else { return };
-    let [names, stress_names] = constant_names(model, &RESERVED);
+    let [names, stress_names, section_names] = constant_names(model, &RESERVED);
+    let constants = model.section_markers.iter().zip(&section_names);
+    declare(
+        text,
+        style,
+        (
+            "section_marker",
+            "A cut: rows of force x, y, z and moment x, y, z, to be multiplied by q. Units: m; N and N m per unit modal coordinate.",
+        ),
+        &[("force", 6)],
+        constants.map(|(marker, name)| (format!("Section `{}`.", plain(&marker.name)), name)),
+    );
     let constants = model.stress_markers.iter().zip(&stress_names);
     declare(
         text,
@@ -61,14 +72,18 @@ pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style
 /// Writes the numbers of the markers.
 pub(super) fn definitions(text: &mut Text, subject: &Subject<'_>, style: &Style) {
     let Some(model) = subject.model else { return };
-    let [names, stress_names] = constant_names(model, &RESERVED);
+    let [names, stress_names, section_names] = constant_names(model, &RESERVED);
     for (marker, name) in model.markers.iter().zip(names) {
         let head = format!("const {}_marker {}_{name} = {{", style.prefix, style.macro_prefix);
         text.block(&head, "};\n", |text| numbers(text, marker, style));
     }
     for (marker, name) in model.stress_markers.iter().zip(stress_names) {
         let head = format!("const {}_stress_marker {}_{name} = {{", style.prefix, style.macro_prefix);
-        text.block(&head, "};\n", |text| stress_numbers(text, marker, style));
+        text.block(&head, "};\n", |text| one_list(text, &marker.position, &marker.stress, style));
+    }
+    for (marker, name) in model.section_markers.iter().zip(section_names) {
+        let head = format!("const {}_section_marker {}_{name} = {{", style.prefix, style.macro_prefix);
+        text.block(&head, "};\n", |text| one_list(text, &marker.position, &marker.force, style));
     }
 }
 
@@ -102,10 +117,10 @@ fn declare<'a>(
     text.blank();
 }
 
-fn stress_numbers(text: &mut Text, marker: &StressMarker, style: &Style) {
-    position(text, &marker.position, style);
+fn one_list(text: &mut Text, place: &[f64; 3], list: &[[f64; 6]], style: &Style) {
+    position(text, place, style);
     if style.mode_count > 0 {
-        rows(text, &marker.stress, "}", style);
+        rows(text, list, "}", style);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Inherent constants of a body: its own numbers and its markers.
 
-use ffrf_model::{Marker, ReducedBody, StressMarker};
+use ffrf_model::{Marker, ReducedBody, SectionMarker, StressMarker};
 
 use super::structure::{RESERVED, constants, visibility};
 use crate::emit::Subject;
@@ -26,7 +26,7 @@ pub(super) fn inherent_constants(
             }
             constant.write(writer, options);
         }
-        let [names, stress_names] = constant_names(body, &RESERVED);
+        let [names, stress_names, section_names] = constant_names(body, &RESERVED);
         for (marker, name) in body.markers.iter().zip(names) {
             writer.blank();
             marker_constant(writer, marker, &name, report.mode_count, options);
@@ -35,22 +35,34 @@ pub(super) fn inherent_constants(
             writer.blank();
             stress_constant(writer, marker, &name, report.mode_count, options);
         }
+        for (marker, name) in body.section_markers.iter().zip(section_names) {
+            writer.blank();
+            section_constant(writer, marker, &name, report.mode_count, options);
+        }
     });
 }
 
-/// The methods of the trait that knows markers by name; those for stress if there is any.
+/// The methods of the trait that knows markers by name; those for stress and sections if there are any.
 pub(super) fn trait_methods(writer: &mut Writer, subject: &Subject<'_>, marker: &str) {
-    let [constants, stress_constants] =
-        subject.model.map_or([Vec::new(), Vec::new()], |model| constant_names(model, &RESERVED));
+    let [constants, stress_constants, section_constants] =
+        subject.model.map_or([Vec::new(), Vec::new(), Vec::new()], |model| constant_names(model, &RESERVED));
     let names =
         subject.model.map_or(Vec::new(), |model| quoted(model.markers.iter().map(|marker| &marker.name)));
     lookup(writer, subject, ["marker_names", "marker"], marker, names.into_iter().zip(constants).collect());
-    let Some(model) = subject.model.filter(|model| !model.stress_markers.is_empty()) else { return };
-    let names = quoted(model.stress_markers.iter().map(|marker| &marker.name));
-    writer.blank();
-    let methods = ["stress_marker_names", "stress_marker"];
-    let kind = marker.replacen("Marker", "StressMarker", 1);
-    lookup(writer, subject, methods, &kind, names.into_iter().zip(stress_constants).collect());
+    let Some(model) = subject.model else { return };
+    let stress = quoted(model.stress_markers.iter().map(|marker| &marker.name));
+    let sections = quoted(model.section_markers.iter().map(|marker| &marker.name));
+    for (kind, methods, names, constants) in [
+        ("StressMarker", ["stress_marker_names", "stress_marker"], stress, stress_constants),
+        ("SectionMarker", ["section_marker_names", "section_marker"], sections, section_constants),
+    ] {
+        if names.is_empty() {
+            continue;
+        }
+        writer.blank();
+        let kind = marker.replacen("Marker", kind, 1);
+        lookup(writer, subject, methods, &kind, names.into_iter().zip(constants).collect());
+    }
 }
 
 fn quoted<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
@@ -113,6 +125,34 @@ fn stress_constant(
                 writer.line(format!("{},", vector(row, options.scalar)));
             }
         });
+    });
+}
+
+fn section_constant(
+    writer: &mut Writer,
+    marker: &SectionMarker,
+    name: &str,
+    modes: usize,
+    options: &GenerateOptions,
+) {
+    let scalar = options.scalar.constant_type_name();
+    writer.documentation([format!(
+        "Section `{}`: force and moment through it. Units: N and N m, per unit modal coordinate; a row for each axis. Frame: body.",
+        marker.name
+    )]);
+    let kind = format!("::ffrf::SectionMarker<::ffrf::nalgebra::SVector<{scalar}, {modes}>, {scalar}>");
+    let head = format!("{}const {name}: {kind} = ::ffrf::SectionMarker {{", visibility(options));
+    writer.block(&head, "};", |writer| {
+        let position = vector(&mut marker.position.into_iter(), options.scalar);
+        writer.line(format!("position: {position},"));
+        for (field, first) in [("force", 0), ("moment", 3)] {
+            writer.block(&format!("{field}: ["), "],", |writer| {
+                for component in first..first + 3 {
+                    let row = &mut marker.force.iter().map(|force| force[component]);
+                    writer.line(format!("{},", vector(row, options.scalar)));
+                }
+            });
+        }
     });
 }
 

@@ -13,8 +13,10 @@ pub(crate) mod nastran;
 mod npy_header;
 mod npz_archive;
 pub(crate) mod numpy;
+mod sid;
 pub(crate) mod text_table;
 
 pub use dense_matrix::{read_mode_shapes, read_square_matrix};
 pub use matrix_file::read_matrix;
 pub use mbdyn::read_mbdyn;
+pub use sid::read_sid;

@@ -13,13 +13,13 @@ const ROUND_OFF: f64 = 1e-14;
 
 const MASSES: [f64; 4] = [1.0, 2.0, 0.5, 1.5];
 const POSITIONS: [Vector3; 4] = [[0.1, 0.2, -0.3], [1.0, 0.0, 0.1], [0.0, 2.0, 0.3], [0.2, 0.1, 1.5]];
-const SHAPES: [[Vector3; 4]; 2] = [
+pub(super) const SHAPES: [[Vector3; 4]; 2] = [
     [[0.1, 0.0, 0.2], [-0.3, 0.1, 0.0], [0.0, 0.4, -0.1], [0.2, 0.0, 0.1]],
     [[0.0, -0.2, 0.1], [0.1, 0.0, 0.3], [0.5, 0.1, 0.0], [-0.1, 0.2, 0.0]],
 ];
 
 /// Point masses as a hand would write them, without invariants.
-fn lumped() -> String {
+pub(super) fn lumped() -> String {
     let mut text = "** hand-made\n** RECORD GROUP 1, HEADER\n**\n REV0 4 2 0 0 0\n".to_owned();
     text += "** RECORD GROUP 2, NODES\n1001 TIP\n1003 4\n** RECORD GROUP 3\n0 0\n** RECORD GROUP 4\n0 0\n";
     for k in 0..3 {

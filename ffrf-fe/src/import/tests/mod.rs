@@ -10,6 +10,7 @@ mod mbdyn;
 mod meshes;
 mod nastran;
 mod one_sided;
+mod sid;
 
 use std::path::PathBuf;
 

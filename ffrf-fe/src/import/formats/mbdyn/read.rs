@@ -95,8 +95,10 @@ pub fn read_mbdyn(path: &Path, units: Option<Units>) -> Result<ReducedBody, Impo
         stiffness,
         damping,
         geometric_stiffness: None,
+        second_order_terms: Default::default(),
         markers,
         stress_markers: Vec::new(),
+        section_markers: Vec::new(),
         provenance: Provenance {
             tool: "ffrf".to_owned(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),

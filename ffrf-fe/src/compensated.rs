@@ -4,14 +4,14 @@
 ///
 /// The result is as accurate as if every product and sum were formed with 106 bits and rounded once.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Sum {
+pub(crate) struct Sum {
     high: f64,
     low: f64,
 }
 
 impl Sum {
     /// Adds `a b`.
-    pub(super) fn add_product(&mut self, a: f64, b: f64) {
+    pub(crate) fn add_product(&mut self, a: f64, b: f64) {
         let product = a * b;
         let product_error = a.mul_add(b, -product);
         let sum = self.high + product;
@@ -22,13 +22,13 @@ impl Sum {
     }
 
     /// The sum, rounded once.
-    pub(super) fn value(&self) -> f64 {
+    pub(crate) fn value(&self) -> f64 {
         self.high + self.low
     }
 }
 
 /// Σ a b.
-pub(super) fn dot(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
+pub(crate) fn dot(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
     let mut sum = Sum::default();
     for (a, b) in pairs {
         sum.add_product(a, b);

@@ -1,0 +1,71 @@
+//! Markers whose rows follow the deformation, because loads there stress the body.
+
+use nalgebra::{Matrix3, RealField};
+
+use super::marker::{SmallRotation, combine};
+use super::{FlexibleBody, Marker, MarkerMotion, ModalVector, PlacedMarker, State};
+
+/// A marker of a body in a state, handed to what needs it.
+#[inline]
+pub(crate) fn with_placed<B: FlexibleBody<T>, T: RealField + Copy, U>(
+    body: &B,
+    (index, marker): (usize, &Marker<B::Modal, T>),
+    state: &State<B::Modal, T>,
+    axes: &Matrix3<T>,
+    take: impl FnOnce(PlacedMarker<'_, B::Modal, T>) -> U,
+) -> U {
+    match body.bent_marker(index, marker, &state.modal_coordinates) {
+        Some(bent) => take(PlacedMarker::bent(&bent, marker, state, axes)),
+        None => take(PlacedMarker::with_axes(marker, state, axes)),
+    }
+}
+
+/// Place and motion of a marker of a body.
+#[inline]
+pub(crate) fn marker_motion<B: FlexibleBody<T>, T: RealField + Copy>(
+    body: &B,
+    (index, marker): (usize, &Marker<B::Modal, T>),
+    state: &State<B::Modal, T>,
+    axes: &Matrix3<T>,
+) -> MarkerMotion<T> {
+    let rows = |along: &B::Modal| body.bent_marker(index, marker, along);
+    match (rows(&state.modal_coordinates), rows(&state.modal_rates)) {
+        (Some(bent), Some(rates)) => {
+            PlacedMarker::bent(&bent, marker, state, axes).bent_motion(state, marker, &rates)
+        }
+        _ => PlacedMarker::with_axes(marker, state, axes).motion(state),
+    }
+}
+
+impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
+    /// A marker whose rows follow the deformation: `bent` are those in this state, `straight` those of the undeformed body. The place
+    /// is the integral of the rows along q, which are linear in it: the mean of both.
+    #[inline]
+    fn bent(bent: &'a Marker<V, T>, straight: &Marker<V, T>, state: &State<V, T>, axes: &Matrix3<T>) -> Self {
+        let (half, q): (T, _) = (nalgebra::convert(0.5), &state.modal_coordinates);
+        Self {
+            marker: bent,
+            orientation: state.orientation,
+            axes: *axes,
+            arm: (bent.position(q) + straight.position(q)) * half,
+            rotation: SmallRotation::new((bent.small_rotation(q) + straight.small_rotation(q)) * half),
+        }
+    }
+
+    /// [`motion`](Self::motion) of a marker whose rows follow the deformation: `rates` are the rows for the rates in the place of the
+    /// coordinates, and what they add to those of `straight` is the change of the rows with time.
+    fn bent_motion(
+        &self,
+        state: &State<V, T>,
+        straight: &Marker<V, T>,
+        rates: &Marker<V, T>,
+    ) -> MarkerMotion<T> {
+        let mut motion = self.motion(state);
+        let q_dot = &state.modal_rates;
+        let change = |rows: &[V; 3], straight: &[V; 3]| combine(rows, q_dot) - combine(straight, q_dot);
+        let turning = change(&rates.rotation, &straight.rotation);
+        motion.acceleration_bias += self.axes * change(&rates.translation, &straight.translation);
+        motion.angular_acceleration_bias += self.axes * self.rotation.times(&turning);
+        motion
+    }
+}
