@@ -58,7 +58,7 @@ fn check(scene: &str, error: f64, more: &str) -> String {
         text[start..].lines().skip(1).take_while(|line| line.starts_with("  ")).collect()
     };
     for section in ["\nmodes: ", "\nterms of the kinetic energy: "] {
-        let lines = lines_of(&section[..]);
+        let lines = lines_of(section);
         let lines: Vec<&&str> = lines.iter().filter(|line| !line.trim().is_empty()).collect();
         for line in &lines {
             assert!(
