@@ -48,7 +48,7 @@ pub enum Command {
     /// Reduce a finite-element model to a flexible body (*.ffrf.json).
     #[command(after_help = REDUCE_EXAMPLE)]
     Reduce(Reduce),
-    /// Convert a reduced body to or from the format of another multibody program: MBDyn's modal data (*.fem).
+    /// Convert a reduced body to or from the format of another multibody program: MBDyn's modal data (*.fem), standard input data (*.SID_FEM).
     #[command(after_help = CONVERT_EXAMPLE)]
     Convert(Convert),
     /// Show what a reduced body holds: modes, checks, layout, operation counts.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
-use ffrf_model::{CheckReport, ModeKind, ReducedBody, Units, printable};
+use ffrf_model::{CheckReport, InterfaceCoupling, ModeKind, ReducedBody, Units, printable};
 
 /// Title, inertia, highest frequency and largest stable step, markers, provenance.
 pub fn body(body: &ReducedBody) -> String {
@@ -25,7 +25,12 @@ pub fn body(body: &ReducedBody) -> String {
             nodes => format!("{} nodes", nodes.len()),
         };
         let place = unit.with(&marker.position, "L");
-        line(&mut text, "marker", &format!("{} ({nodes}) at {place}", printable(&marker.name)));
+        let (kind, held) = match marker.coupling {
+            None => ("marker", nodes),
+            Some(InterfaceCoupling::Rigid) => ("interface", format!("{nodes}, as one rigid body: RBE2")),
+            Some(InterfaceCoupling::Average) => ("interface", format!("{nodes}, their mean: RBE3")),
+        };
+        line(&mut text, kind, &format!("{} ({held}) at {place}", printable(&marker.name)));
     }
     for marker in &body.stress_markers {
         let place = unit.with(&marker.position, "L");

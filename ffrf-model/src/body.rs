@@ -129,6 +129,19 @@ pub struct Marker {
     ///
     /// A least-squares fit over the marker's nodes or, for a single node, over the nodes it is coupled with.
     pub rotation: Vec<Vector3>,
+    /// How an interface holds its nodes; none for a marker that only follows them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coupling: Option<InterfaceCoupling>,
+}
+
+/// How the nodes of an interface are coupled with its reference point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum InterfaceCoupling {
+    /// As one rigid body (RBE2).
+    Rigid,
+    /// The reference point follows the weighted mean of the nodes (RBE3).
+    Average,
 }
 
 /// A place of the body where stress is observed.

@@ -25,7 +25,10 @@ mod text;
 mod tolerances;
 mod units;
 
-pub use body::{Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile, StressMarker};
+pub use body::{
+    InterfaceCoupling, Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SourceFile,
+    StressMarker,
+};
 pub use check::{CheckReport, is_valid_marker_name};
 pub use error::ModelError;
 pub use geometric_stiffness::{GeometricStiffness, MarkerLoadStiffness};

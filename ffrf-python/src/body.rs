@@ -198,6 +198,15 @@ impl Marker {
         array(py, [self.0.rotation.len(), 3], self.0.rotation.as_flattened().iter().copied())
     }
 
+    /// How an interface holds its nodes: "rigid" (RBE2) or "average" (RBE3); None for a marker that only follows them.
+    #[getter]
+    fn coupling(&self) -> Option<&'static str> {
+        self.0.coupling.map(|coupling| match coupling {
+            ffrf_model::InterfaceCoupling::Rigid => "rigid",
+            ffrf_model::InterfaceCoupling::Average => "average",
+        })
+    }
+
     fn __repr__(&self) -> String {
         format!("<ffrf.Marker {} at {:?}>", self.0.name, self.0.position)
     }

@@ -3,6 +3,8 @@
 //! Source: Khronos Group, glTF 2.0 Specification (2021): 3.6 (buffers), 3.7 (meshes, morph targets), 3.11 (animations), 4
 //! (binary form).
 
+use std::collections::BTreeSet;
+
 use ffrf_host::picture::{NamedPoint, Shape};
 use serde_json::{Value, json};
 
@@ -67,7 +69,8 @@ impl Document<'_> {
                 "pbrMetallicRoughness": {"baseColorFactor": [red, green, blue, 1.0], "metallicFactor": 0.1, "roughnessFactor": 0.6},
             }));
             meshes.push(self.mesh(&mut buffer, part, index));
-            let markers: Vec<Value> = part.markers.iter().map(|marker| self.marker(marker)).collect();
+            let markers: Vec<Value> =
+                part.markers.iter().map(|marker| self.marker(marker, part.shape)).collect();
             let mut node = json!({"name": name, "mesh": index, "extras": {"markers": markers}});
             if let (Some(moved), Some(times)) = (part.motion, times) {
                 node["translation"] = json!(moved.positions.first().copied().unwrap_or_default());
@@ -133,10 +136,17 @@ impl Document<'_> {
         mesh
     }
 
-    fn marker(&self, marker: &NamedPoint) -> Value {
+    /// `held`: the points of the shape that an interface holds.
+    fn marker(&self, marker: &NamedPoint, shape: &Shape) -> Value {
         let modes: Vec<[f64; 3]> =
             marker.modes.iter().map(|moved| moved.map(|x| self.deformation * x)).collect();
-        json!({"name": marker.name, "position": marker.position, "modes": modes})
+        let mut value = json!({"name": marker.name, "position": marker.position, "modes": modes});
+        if !marker.held.is_empty() {
+            let held: BTreeSet<u64> = marker.held.iter().copied().collect();
+            let points = shape.nodes.iter().enumerate().filter(|(_, id)| held.contains(id));
+            value["held"] = json!(points.map(|(point, _)| point).collect::<Vec<usize>>());
+        }
+        value
     }
 }
 

@@ -56,6 +56,7 @@ pub fn skin(model: &FeModel, basis: &ModeBasis) -> Result<Surface> {
         points: nodes.iter().map(|node| model.nodes.positions[*node]).collect(),
         triangles: triangles.collect(),
         modes: (0..basis.modes.len()).map(moved).collect(),
+        nodes: nodes.iter().map(|node| model.nodes.ids[*node]).collect(),
     }))
 }
 

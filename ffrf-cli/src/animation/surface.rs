@@ -14,9 +14,9 @@ use crate::results::{Array, archive};
 pub struct Surface(pub Shape);
 
 impl Surface {
-    /// The bytes of a file that [`read`](Self::read) reads: `points`, `triangles`, `shapes`.
+    /// The bytes of a file that [`read`](Self::read) reads: `points`, `triangles`, `shapes`, and `nodes`, the ids of the points.
     pub fn encode(&self) -> Result<Vec<u8>> {
-        let Shape { points, triangles, modes } = &self.0;
+        let Shape { points, triangles, modes, nodes } = &self.0;
         let flat = |points: &[[f64; 3]]| points.iter().flatten().copied().collect::<Vec<f64>>();
         let corners = triangles.iter().flatten().map(|point| f64::from(*point)).collect();
         let numbers = |shape: Vec<usize>, values: Vec<f64>| Array::Numbers { shape, values };
@@ -30,6 +30,7 @@ impl Surface {
                     modes.iter().flat_map(|shape| flat(shape)).collect(),
                 ),
             ),
+            ("nodes".to_owned(), numbers(vec![nodes.len()], nodes.iter().map(|id| *id as f64).collect())),
         ])
     }
 
@@ -40,6 +41,11 @@ impl Surface {
         let shown = || format!("{}", path.display());
         let file = std::fs::File::open(path).with_context(shown)?;
         let mut archive = ZipArchive::new(file).with_context(shown)?;
+        let nodes = match archive.by_name("nodes.npy") {
+            Ok(entry) => NpyFile::new(entry).and_then(NpyFile::into_vec::<f64>).with_context(shown)?,
+            // a file of an older version has none
+            Err(_) => Vec::new(),
+        };
         let mut array = |name: &str, axes: usize| -> Result<(Vec<usize>, Vec<f64>)> {
             let entry = archive.by_name(&format!("{name}.npy")).with_context(|| format!("array `{name}`"))?;
             let npy = NpyFile::new(entry).with_context(|| format!("array `{name}`"))?;
@@ -70,7 +76,11 @@ impl Surface {
                 threes(&values).chunks(points.len().max(1)).take(mode_count).map(<[_]>::to_vec).collect();
             let triangles =
                 triangles.into_iter().map(|triangle| triangle.map(|point| point as u32)).collect();
-            Ok(Self(Shape { points, triangles, modes }))
+            if !nodes.is_empty() && nodes.len() != points.len() {
+                bail!("array `nodes`: expected {} ids or none, found {}", points.len(), nodes.len());
+            }
+            let nodes = nodes.iter().map(|id| *id as u64).collect();
+            Ok(Self(Shape { points, triangles, modes, nodes }))
         })();
         read.with_context(shown)
     }
@@ -90,6 +100,7 @@ mod tests {
             points: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.5]],
             triangles: vec![[0, 1, 2]],
             modes: vec![vec![[0.1; 3]; 3], vec![[0.2; 3]; 3]],
+            nodes: vec![7, 1, 300],
         });
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("s.npz");
@@ -99,6 +110,8 @@ mod tests {
         assert_eq!(Surface::read(&path, 1).unwrap().0.modes.len(), 1);
         let said = |result: Result<Surface>| format!("{:#}", result.unwrap_err());
         assert!(said(Surface::read(&path, 3)).contains("expected 3 modes or more of 3 points, found 2 of 3"));
+        store(&Surface(Shape { nodes: vec![1, 2], ..surface.0.clone() }));
+        assert!(said(Surface::read(&path, 2)).contains("expected 3 ids or none, found 2"));
         store(&Surface(Shape { triangles: vec![[0, 1, 3]], ..surface.0 }));
         assert!(said(Surface::read(&path, 2)).contains("expected points from 0 to 2, found 3"));
         std::fs::write(&path, "no archive").unwrap();

@@ -66,6 +66,8 @@ function start(gltf) {
 
   // Markers: small spheres with names, moved by the modes of their body.
   const markers = [];
+  const spokes = [];
+  const corner = new THREE.Vector3();
   for (const mesh of bodies) {
     const list = mesh.userData.markers ?? [];
     const own = atRest(mesh).getSize(new THREE.Vector3()).length();
@@ -74,13 +76,24 @@ function start(gltf) {
     frame.material.depthTest = false;
     mesh.add(frame);
     markers.push({ object: frame, frame: true });
-    for (const { name, position, modes } of list) {
+    for (const { name, position, modes, held } of list) {
       const group = new THREE.Group();
       const dot = new THREE.Mesh(ball, new THREE.MeshBasicMaterial({ color: 0xd55e00, depthTest: false, transparent: true, opacity: 0.85 }));
       dot.renderOrder = 2;
       group.add(dot, new THREE.CSS2DObject(make("div", {}, make("span", { class: "label" }, name))));
       mesh.add(group);
       markers.push({ object: group, mesh, position, modes });
+      // An interface: spokes from its reference point to the nodes that it holds.
+      if (held?.length) {
+        const ends = new THREE.BufferGeometry();
+        ends.setAttribute("position", new THREE.BufferAttribute(new Float32Array(6 * held.length), 3));
+        const lines = new THREE.LineSegments(ends, new THREE.LineBasicMaterial({ color: 0xd55e00, depthTest: false, transparent: true, opacity: 0.55 }));
+        lines.renderOrder = 1;
+        lines.frustumCulled = false;
+        mesh.add(lines);
+        spokes.push({ lines, mesh, held, hub: group });
+        markers.push({ object: lines, spokes: true });
+      }
     }
     mesh.frustumCulled = false;
   }
@@ -200,6 +213,15 @@ function start(gltf) {
       if (!position) continue;
       const weights = mesh.morphTargetInfluences ?? [];
       object.position.set(...[0, 1, 2].map((axis) => position[axis] + weights.reduce((sum, weight, mode) => sum + weight * (modes[mode]?.[axis] ?? 0), 0)));
+    }
+    for (const { lines, mesh, held, hub } of spokes) {
+      const ends = lines.geometry.getAttribute("position");
+      held.forEach((point, spoke) => {
+        ends.setXYZ(2 * spoke, hub.position.x, hub.position.y, hub.position.z);
+        mesh.getVertexPosition(point, corner);
+        ends.setXYZ(2 * spoke + 1, corner.x, corner.y, corner.z);
+      });
+      ends.needsUpdate = true;
     }
     controls.update();
     sun.position.copy(camera.position).add(new THREE.Vector3(0, size, 0));

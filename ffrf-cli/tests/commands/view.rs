@@ -81,6 +81,40 @@ fn a_part_is_shown_with_its_modes_and_markers() {
 }
 
 #[test]
+fn interfaces_have_spokes_to_the_nodes_that_they_hold() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let deck = repository().join("models/conrod/conrod.inp").display().to_string();
+    let (surface, page, body) = (at("c.npz"), at("c.html"), at("c.ffrf.json"));
+    let interfaces = ["--interface", "BIG=set:BIG_END,rbe2", "--interface", "SMALL=set:SMALL_END,rbe3"];
+    let rest =
+        ["--marker", "MID=BIG_END", "--modes", "2", "--surface", &surface, "--view", &page, "-o", &body];
+    succeed(&[&["reduce", "--calculix", &deck][..], &interfaces, &rest].concat());
+    let shown = document(&model_of(&std::fs::read_to_string(page).unwrap()));
+    let markers = shown["nodes"][0]["extras"]["markers"].as_array().unwrap();
+    let model: Value = serde_json::from_str(&std::fs::read_to_string(&body).unwrap()).unwrap();
+    let points = shown["accessors"][0]["count"].as_u64().unwrap();
+    for (marker, known) in markers.iter().zip(model["markers"].as_array().unwrap()) {
+        let nodes = known["nodes"].as_array().unwrap().len();
+        match known["name"].as_str().unwrap() {
+            "MID" => assert!(marker.get("held").is_none() && known.get("coupling").is_none()),
+            name => {
+                assert_eq!(known["coupling"], if name == "BIG" { "rigid" } else { "average" });
+                // corner nodes alone are on the surface
+                let held: Vec<u64> =
+                    marker["held"].as_array().unwrap().iter().map(|point| point.as_u64().unwrap()).collect();
+                assert!(held.len() > nodes / 8 && held.len() < nodes, "{} of {nodes}", held.len());
+                assert!(held.iter().all(|point| *point < points));
+            }
+        }
+    }
+    let said = String::from_utf8(succeed(&["inspect", &body]).stdout).unwrap();
+    for part in ["BIG (198 nodes, as one rigid body: RBE2)", "SMALL (132 nodes, their mean: RBE3)"] {
+        assert!(said.contains(part), "{said}");
+    }
+}
+
+#[test]
 fn a_body_without_a_surface_is_bars_and_a_motion_is_a_page() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();

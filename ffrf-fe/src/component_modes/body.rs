@@ -1,11 +1,11 @@
 //! From component modes to a reduced body: interface reference points become markers.
 
-use ffrf_model::{Marker, ReducedBody};
+use ffrf_model::{InterfaceCoupling, Marker, ReducedBody};
 
 use crate::reduction::{ReductionOptions, reduce};
 use crate::{FeError, FeModel};
 
-use super::ComponentModes;
+use super::{ComponentModes, Coupling};
 
 /// Reduces a model to component modes.
 ///
@@ -31,6 +31,10 @@ pub fn reduce_component_modes(
             position: interface.reference_point,
             translation: (0..count).map(|mode| row(0, mode)).collect(),
             rotation: (0..count).map(|mode| row(3, mode)).collect(),
+            coupling: Some(match interface.coupling {
+                Coupling::Rigid => InterfaceCoupling::Rigid,
+                Coupling::Average { .. } => InterfaceCoupling::Average,
+            }),
         }
     });
     body.markers = markers.chain(body.markers).collect();

@@ -53,6 +53,7 @@ pub(crate) fn make_marker(
             .map(|mode| mean(&rows, |row| displacement(shapes, row, mode)))
             .collect(),
         rotation: (0..shapes.ncols()).map(|mode| fit.rotation(shapes, mode)).collect(),
+        coupling: None,
     })
 }
 

@@ -15,4 +15,6 @@ pub struct Shape {
     pub triangles: Vec<[u32; 3]>,
     /// Displacements of all points per unit of each modal coordinate. Shape: M x points x 3.
     pub modes: Vec<Vec<[f64; 3]>>,
+    /// Ids of the points among the nodes of the finite-element model; empty where they are not known.
+    pub nodes: Vec<u64>,
 }

@@ -13,6 +13,8 @@ pub struct NamedPoint {
     pub position: [f64; 3],
     /// Displacement per unit of each modal coordinate. Shape: M x 3.
     pub modes: Vec<[f64; 3]>,
+    /// Ids of the nodes that an interface holds; empty for any other point.
+    pub held: Vec<u64>,
 }
 
 /// The markers of every body of a scene that have a name.
@@ -29,6 +31,7 @@ pub fn named_points(scene: &Scene) -> Vec<Vec<NamedPoint>> {
                         name: name.clone(),
                         position: marker.position.into(),
                         modes: rows.map(|((x, y), z)| [*x, *y, *z]).collect(),
+                        held: Vec::new(),
                     }
                 })
                 .collect()
@@ -42,12 +45,14 @@ pub fn model_points(body: &ReducedBody) -> Vec<NamedPoint> {
         name: marker.name.clone(),
         position: marker.position,
         modes: marker.translation.clone(),
+        held: if marker.coupling.is_some() { marker.nodes.clone() } else { Vec::new() },
     });
     // how modes move a stress marker is not in a model: it is drawn where it is at rest
     let stress = body.stress_markers.iter().map(|marker| NamedPoint {
         name: format!("{} (stress)", marker.name),
         position: marker.position,
         modes: vec![[0.0; 3]; body.modes.len()],
+        held: Vec::new(),
     });
     markers.chain(stress).collect()
 }

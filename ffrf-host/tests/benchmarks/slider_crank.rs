@@ -62,6 +62,7 @@ fn rod() -> ReducedBody {
         position: [x, 0.0, 0.0],
         translation: translation.to_vec(),
         rotation: vec![[0.0; 3]; 4],
+        coupling: None,
     };
     let still = [[0.0; 3]; 4];
     let mut tip = still;

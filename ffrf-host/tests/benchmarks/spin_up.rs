@@ -149,6 +149,7 @@ fn beam() -> ReducedBody {
         section_markers: Vec::new(),
         markers: vec![Marker {
             name: "TIP".to_owned(),
+            coupling: None,
             nodes: Vec::new(),
             position: point(1.0),
             translation: (0..4).map(|mu| shape(mu, 1.0)).collect(),

@@ -86,6 +86,7 @@ pub fn body(modes: usize) -> ReducedBody {
             position: points[11].position,
             translation: points[11].shapes.clone(),
             rotation: vec![[0.0; 3]; modes],
+            coupling: None,
         }],
     }
 }

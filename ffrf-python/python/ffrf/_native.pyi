@@ -117,6 +117,9 @@ class Marker:
     @property
     def rotation(self) -> _Array:
         """Small rotation per unit modal coordinate, rad. Shape: M x 3."""
+    @property
+    def coupling(self) -> str | None:
+        """How an interface holds its nodes: "rigid" (RBE2) or "average" (RBE3); None for a marker that only follows them."""
 
 @final
 class StressMarker:

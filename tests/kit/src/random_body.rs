@@ -106,6 +106,7 @@ fn body(masses: &[f64], positions: &Field, fields: &[Field], random: &mut Random
         .collect();
     let marker = |name: &str, node: usize| Marker {
         name: name.to_owned(),
+        coupling: None,
         nodes: vec![node as u64],
         position: positions[node],
         translation: fields.iter().map(|field| field[node]).collect(),

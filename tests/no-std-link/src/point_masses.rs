@@ -16,6 +16,7 @@ impl PointMasses {
             position: Vector3::new(x, y, z),
             translation: translation.map(Two::from),
             rotation: [[0.1, 0.0], [0.0, -0.2], [0.3, 0.1]].map(Two::from),
+            stressing: None,
         };
         Self([
             (1.0, point(0.5, 0.1, 0.0, [[0.0, 0.1], [0.4, 0.0], [0.0, 0.3]])),

@@ -83,7 +83,7 @@ pub fn read_mbdyn(path: &Path, units: Option<Units>) -> Result<ReducedBody, Impo
             return Err(source.expected(records.place(2), expected));
         }
         let nodes = vec![label.parse().unwrap_or(node as u64 + 1)];
-        Ok(Marker { name, nodes, position: positions[node], translation, rotation })
+        Ok(Marker { name, nodes, position: positions[node], translation, rotation, coupling: None })
     });
     let markers = markers.collect::<Result<_, _>>()?;
     let body = ReducedBody {

@@ -227,6 +227,7 @@ impl Reader<'_> {
             position: [position[0], position[1], position[2]],
             translation: shapes("phi")?,
             rotation: shapes("psi")?,
+            coupling: None,
         })
     }
 }
