@@ -56,8 +56,8 @@ def compare(what):
         if not columns:
             continue
         expected = rows[:, 1:][:, columns]
-        # of the largest so far: what passes through zero has the round-off of what it was
-        size = numpy.maximum.accumulate(numpy.abs(expected).max(axis=1))
+        # of the largest of the run: what passes through zero has the round-off of what it was
+        size = numpy.abs(expected).max()
         steps = numpy.arange(len(rows)) * max(step / own_step, 1.0) + 1.0
         apart = numpy.abs(found[:, columns] - expected).max(axis=1)
         if group == "energy":
