@@ -14,7 +14,8 @@
 //! Nothing here allocates or panics; a step does bounded work and either succeeds or leaves the state as it was.
 //!
 //! Features: `std` (default) takes float functions from the standard library, `libm` from the crate of that
-//! name, for targets without one. At least one of the two is needed.
+//! name, for targets without one. At least one of the two is needed. `host-simd` (default) lets kernels over lanes compute
+//! in the registers that an x86-64 processor is found to have when running; their products and sums are contracted then.
 //!
 //! Current limitations: bodies without geometric stiffening; rows of joints are dense within a body.
 #![no_std]

@@ -27,7 +27,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         ),
         ("ffrf-codegen", entry(&["ffrf-model"], &["proc-macro2", "thiserror"])),
         ("ffrf-macros", entry(&["ffrf-codegen", "ffrf-model"], &["proc-macro2", "quote", "syn"])),
-        ("ffrf-runtime", entry(&[], &["nalgebra", "wide"])),
+        ("ffrf-runtime", entry(&[], &["fearless_simd", "nalgebra", "wide"])),
         (
             "ffrf-cli",
             entry(

@@ -76,6 +76,7 @@ impl StiffenedLanes {
                 0.06338516075963763, -0.025294741943874186, -0.044515959834315826,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -105,6 +106,7 @@ impl StiffenedLanes {
                 0.012342220959304128, -0.01319442837428828, 0.08503513514408535,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 
@@ -389,6 +391,7 @@ const _: () = {
 
     /// The body in lanes: 1 groups of 4 for 3 modes; table of moments 768 bytes.
     const BODY: support::lanes::LaneBody<f64, 3, 1, &support::lanes::FullTable<f64, 3, 0, 1>> = support::lanes::LaneBody {
+        registers: support::lanes::Compiled,
         mass: 6.9947531256015445,
         first_moment: ::core::option::Option::Some([2.3152807632270096, -0.9605368260960112, 0.3640519801799128]),
         modal_first_moment: ::core::option::Option::Some(&MODAL_FIRST_MOMENT),
@@ -411,112 +414,120 @@ const _: () = {
 
     /// What follows from a state before forces are known: deformed invariants and quadratic velocity vector.
     #[inline(always)]
-    fn state(
+    fn state<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
     ) -> support::lanes::State<f64, 1> {
-        BODY.state(q, *omega, q_dot)
+        BODY.on(registers).state(q, *omega, q_dot)
     }
 
     /// Mass matrix M(q).
     ///
     /// Shape: 9 x 9, symmetric, column by column. Units: kg, kg m, kg m² and their modal kin. Frame: body.
     /// Source: (203), body-resolved.
-    #[inline]
-    fn mass_matrix(
+    #[inline(always)]
+    fn mass_matrix<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
     ) -> [[f64; 9]; 9] {
-        let state = state(q, &[0.0; 3], &[0.0; 3]);
-        BODY.mass_matrix(&state)
+        let state = state(registers, q, &[0.0; 3], &[0.0; 3]);
+        BODY.on(registers).mass_matrix(&state)
     }
 
     /// Quadratic velocity vector Q(q, ω, q̇), on the left-hand side.
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: N, N m, modal forces. Frame: body.
     /// Source: (209), signs and index order corrected.
-    #[inline]
-    fn quadratic_velocity(
+    #[inline(always)]
+    fn quadratic_velocity<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
     ) -> [f64; 9] {
-        let state = state(q, omega, q_dot);
-        BODY.quadratic_velocity(&state)
+        let state = state(registers, q, omega, q_dot);
+        BODY.on(registers).quadratic_velocity(&state)
     }
 
     /// Accelerations [α; ω̇; q̈] under a generalised force, elastic and damping forces included.
     ///
     /// Shape: 9: translation 3, rotation 3, modes 3. Units: m/s², rad/s², 1/s². Frame: body.
     /// Source: (203), q̈ eliminated first, the mass matrix never formed.
-    #[inline]
-    fn forward_dynamics(
+    #[inline(always)]
+    fn forward_dynamics<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
         force: &[f64; 9],
     ) -> [f64; 9] {
-        let state = state(q, omega, q_dot);
-        BODY.forward_dynamics(&state, q, q_dot, force)
+        let state = state(registers, q, omega, q_dot);
+        BODY.on(registers).forward_dynamics(&state, q, q_dot, force)
     }
 
     /// Mass matrix, quadratic velocity vector and accelerations in one pass.
     ///
     /// Shape: 9 x 9, 9, 9. Units: as of the three. Frame: body.
     /// Source: (203), (209).
-    #[inline]
-    fn equations_of_motion(
+    #[inline(always)]
+    fn equations_of_motion<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
         force: &[f64; 9],
     ) -> ([[f64; 9]; 9], [f64; 9], [f64; 9]) {
-        let state = state(q, omega, q_dot);
-        BODY.equations_of_motion(&state, q, q_dot, force)
+        let state = state(registers, q, omega, q_dot);
+        BODY.on(registers).equations_of_motion(&state, q, q_dot, force)
     }
 
     /// Kinetic energy.
     ///
     /// Shape: scalar. Units: J. Frame: body.
     /// Source: ½ (v · P + ω · L + q̇ · p).
-    #[inline]
-    fn kinetic_energy(
+    #[inline(always)]
+    fn kinetic_energy<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
         velocity: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
     ) -> f64 {
-        let state = state(q, omega, q_dot);
-        BODY.kinetic_energy(&state, velocity, omega, q_dot)
+        let state = state(registers, q, omega, q_dot);
+        BODY.on(registers).kinetic_energy(&state, velocity, omega, q_dot)
     }
 
     /// Angular momentum about the frame origin.
     ///
     /// Shape: 3. Units: N m s. Frame: body.
     /// Source: m r × v + Θ_rr ω + Θ_rf q̇.
-    #[inline]
-    fn angular_momentum(
+    #[inline(always)]
+    fn angular_momentum<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
         velocity: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
     ) -> [f64; 3] {
-        let state = state(q, omega, q_dot);
-        BODY.angular_momentum(&state, velocity, omega)
+        let state = state(registers, q, omega, q_dot);
+        BODY.on(registers).angular_momentum(&state, velocity, omega)
     }
 
     /// Everything that depends on the state: m, m r, Θ_rr, rows of m B and of Θ_rf, Q, K q + D q̇.
     ///
     /// Shape: scalar, 3, 3 x 3, 3 x 3, 3 x 3, 9, 3. Units: as of each. Frame: body.
     /// Source: (204), (209), corrected.
-    #[inline]
-    fn prepare(
+    #[inline(always)]
+    fn prepare<R: support::lanes::Registers<f64>>(
+        registers: R,
         q: &[f64; 3],
         omega: &[f64; 3],
         q_dot: &[f64; 3],
     ) -> (f64, [f64; 3], [[f64; 3]; 3], [[f64; 3]; 3], [[f64; 3]; 3], [f64; 9], [f64; 3]) {
-        let state = state(q, omega, q_dot);
-        let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity) = BODY.prepare(&state);
+        let state = state(registers, q, omega, q_dot);
+        let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity) = BODY.on(registers).prepare(&state);
         (
             mass,
             first_moment,
@@ -545,12 +556,15 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
             force: &::ffrf::GeneralisedForce<::ffrf::nalgebra::SVector<f64, 3>, f64>,
         ) -> ::ffrf::Motion<::ffrf::nalgebra::SVector<f64, 3>, f64> {
-            ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-                support::array(&force.to_vector::<9>()),
-            )))
+            support::lanes::on_registers!(registers => {
+                ::ffrf::Motion::from_vector(&support::vector(forward_dynamics(
+                    registers,
+                    support::array(q),
+                    support::array(omega),
+                    support::array(q_dot),
+                    support::array(&force.to_vector::<9>()),
+                )))
+            })
         }
 
         #[inline]
@@ -605,20 +619,23 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::Prepared<::ffrf::nalgebra::SVector<f64, 3>, f64> {
-            let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-            );
-            ::ffrf::Prepared {
-                mass,
-                first_moment: support::vector(first_moment),
-                inertia: support::matrix(inertia),
-                modal_first_moment: modal_first_moment.map(support::vector),
-                rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
-                quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
-                internal_force: support::vector(internal_force),
-            }
+            support::lanes::on_registers!(registers => {
+                let (mass, first_moment, inertia, modal_first_moment, rotation_modal_coupling, quadratic_velocity, internal_force) = prepare(
+                    registers,
+                    support::array(q),
+                    support::array(omega),
+                    support::array(q_dot),
+                );
+                ::ffrf::Prepared {
+                    mass,
+                    first_moment: support::vector(first_moment),
+                    inertia: support::matrix(inertia),
+                    modal_first_moment: modal_first_moment.map(support::vector),
+                    rotation_modal_coupling: rotation_modal_coupling.map(support::vector),
+                    quadratic_velocity: ::ffrf::GeneralisedForce::from_vector(&support::vector(quadratic_velocity)),
+                    internal_force: support::vector(internal_force),
+                }
+            })
         }
 
         #[inline]
@@ -642,12 +659,15 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> f64 {
-            kinetic_energy(
-                support::array(q),
-                support::array(velocity),
-                support::array(omega),
-                support::array(q_dot),
-            )
+            support::lanes::on_registers!(registers => {
+                kinetic_energy(
+                    registers,
+                    support::array(q),
+                    support::array(velocity),
+                    support::array(omega),
+                    support::array(q_dot),
+                )
+            })
         }
 
         #[inline]
@@ -682,12 +702,15 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::Vector3<f64> {
-            support::vector(angular_momentum(
-                support::array(q),
-                support::array(velocity),
-                support::array(omega),
-                support::array(q_dot),
-            ))
+            support::lanes::on_registers!(registers => {
+                support::vector(angular_momentum(
+                    registers,
+                    support::array(q),
+                    support::array(velocity),
+                    support::array(omega),
+                    support::array(q_dot),
+                ))
+            })
         }
 
         #[inline]
@@ -705,7 +728,12 @@ const _: () = {
             &self,
             q: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::SMatrix<f64, 9, 9> {
-            support::matrix(mass_matrix(support::array(q)))
+            support::lanes::on_registers!(registers => {
+                support::matrix(mass_matrix(
+                    registers,
+                    support::array(q),
+                ))
+            })
         }
 
         #[inline]
@@ -715,11 +743,14 @@ const _: () = {
             omega: &::ffrf::nalgebra::Vector3<f64>,
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
         ) -> ::ffrf::nalgebra::SVector<f64, 9> {
-            support::vector(quadratic_velocity(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-            ))
+            support::lanes::on_registers!(registers => {
+                support::vector(quadratic_velocity(
+                    registers,
+                    support::array(q),
+                    support::array(omega),
+                    support::array(q_dot),
+                ))
+            })
         }
 
         #[inline]
@@ -730,17 +761,20 @@ const _: () = {
             q_dot: &::ffrf::nalgebra::Vector3<f64>,
             force: &::ffrf::nalgebra::SVector<f64, 9>,
         ) -> ::ffrf::EquationsOfMotion<3, 9, f64> {
-            let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
-                support::array(q),
-                support::array(omega),
-                support::array(q_dot),
-                support::array(force),
-            );
-            ::ffrf::EquationsOfMotion {
-                mass_matrix: support::matrix(mass_matrix),
-                quadratic_velocity: support::vector(quadratic_velocity),
-                acceleration: support::vector(acceleration),
-            }
+            support::lanes::on_registers!(registers => {
+                let (mass_matrix, quadratic_velocity, acceleration) = equations_of_motion(
+                    registers,
+                    support::array(q),
+                    support::array(omega),
+                    support::array(q_dot),
+                    support::array(force),
+                );
+                ::ffrf::EquationsOfMotion {
+                    mass_matrix: support::matrix(mass_matrix),
+                    quadratic_velocity: support::vector(quadratic_velocity),
+                    acceleration: support::vector(acceleration),
+                }
+            })
         }
 
         #[inline]
@@ -756,16 +790,18 @@ const _: () = {
         ) {
             let (q, q_dot) = (support::array(q), support::array(q_dot));
             let force = support::array(force);
-            let state = state(q, support::array(omega), q_dot);
-            BODY.write_equations_of_motion(
-                &state,
-                q,
-                q_dot,
-                force,
-                support::columns_mut(mass_matrix),
-                support::array_mut(quadratic_velocity),
-                support::array_mut(acceleration),
-            );
+            support::lanes::on_registers!(registers => {
+                let state = state(registers, q, support::array(omega), q_dot);
+                BODY.on(registers).write_equations_of_motion(
+                    &state,
+                    q,
+                    q_dot,
+                    force,
+                    support::columns_mut(mass_matrix),
+                    support::array_mut(quadratic_velocity),
+                    support::array_mut(acceleration),
+                );
+            })
         }
     }
 

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use ffrf::nalgebra::SVector;
 use ffrf_runtime::lanes::{
-    Factors, FullTable, HalfTable, LaneBody, ModalFactors, ModalMatrix, MomentTable,
+    Compiled, Factors, FullTable, HalfTable, LaneBody, ModalFactors, ModalMatrix, MomentTable,
 };
 
 use crate::columns::States;
@@ -13,6 +13,7 @@ use crate::timing::Column;
 /// A body without symmetry and with Θ_ff = I. Its numbers are no body's: time does not depend on them.
 fn body<const M: usize, const G: usize, P>(moments: P) -> LaneBody<'static, f64, M, G, P> {
     LaneBody {
+        registers: Compiled,
         mass: 3.0,
         first_moment: Some([0.1, 0.2, 0.3]),
         modal_first_moment: Some(Box::leak(Box::new([[[0.01; 4]; 3]; G]))),

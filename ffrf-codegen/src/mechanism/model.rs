@@ -131,6 +131,8 @@ pub struct MarkerModel {
     pub translation: [Vec<f64>; 3],
     /// Small rotation about x, y and z per unit modal coordinate. Shape: 3 x M. Units: rad.
     pub rotation: [Vec<f64>; 3],
+    /// Γ of unit forces and moments there, by which the rows follow the deformation. Shape: 6 x M x M, row by row.
+    pub load_stiffness: Option<[Vec<f64>; 6]>,
 }
 
 /// A triad at a marker, or on the ground.

@@ -79,6 +79,7 @@ impl<C: Copy + 'static, F> Bodies<C, F> {
         F: Fn(V) -> C,
     {
         LaneBody {
+            registers: lanes::Compiled,
             mass: (self.constant)(tables.mass),
             first_moment: tables.first_moment.map(|moment| moment.map(&self.constant)),
             modal_first_moment: tables.modal_first_moment.as_ref().map(|table| self.rows(table)),

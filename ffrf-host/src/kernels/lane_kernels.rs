@@ -5,7 +5,7 @@
 //! so that the same operations are done on the same numbers.
 
 use ffrf_codegen::lanes::{LaneTables, MomentTables};
-use ffrf_runtime::lanes::{LaneBody, MomentTable, State};
+use ffrf_runtime::lanes::{LaneBody, PortableTable, State, on_registers};
 
 use super::Bodies;
 
@@ -82,10 +82,10 @@ fn padded<const K: usize>(numbers: &[f64]) -> [f64; K] {
     padded
 }
 
-impl<const M: usize, const N: usize, const G: usize, P: MomentTable<f64, M, G>> Loops<M, N, G, P> {
+impl<const M: usize, const N: usize, const G: usize, P: PortableTable<f64, M, G>> Loops<M, N, G, P> {
     #[inline(never)]
     fn state(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64]) -> State<f64, G> {
-        self.body.state(&padded(q), omega, &padded(q_dot))
+        on_registers!(registers => self.body.on(registers).state(&padded(q), omega, &padded(q_dot)))
     }
 
     fn without_padding(&self, numbers: [f64; N]) -> Vec<f64> {
@@ -93,28 +93,37 @@ impl<const M: usize, const N: usize, const G: usize, P: MomentTable<f64, M, G>> 
     }
 }
 
-impl<const M: usize, const N: usize, const G: usize, P: MomentTable<f64, M, G>> LaneKernels
+impl<const M: usize, const N: usize, const G: usize, P: PortableTable<f64, M, G>> LaneKernels
     for Loops<M, N, G, P>
 {
     fn mass_matrix(&self, q: &[f64]) -> Vec<Vec<f64>> {
-        let columns: [[f64; N]; N] = self.body.mass_matrix(&self.state(q, [0.0; 3], &[]));
+        let state = self.state(q, [0.0; 3], &[]);
+        let columns: [[f64; N]; N] = on_registers!(registers => self.body.on(registers).mass_matrix(&state));
         columns.into_iter().take(6 + self.modes).map(|column| self.without_padding(column)).collect()
     }
 
     fn quadratic_velocity(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64]) -> Vec<f64> {
-        self.without_padding(self.body.quadratic_velocity(&self.state(q, omega, q_dot)))
+        let state = self.state(q, omega, q_dot);
+        self.without_padding(self.body.quadratic_velocity(&state))
     }
 
     fn forward_dynamics(&self, q: &[f64], omega: [f64; 3], q_dot: &[f64], force: &[f64]) -> Vec<f64> {
         let state = self.state(q, omega, q_dot);
-        self.without_padding(self.body.forward_dynamics(&state, &padded(q), &padded(q_dot), &padded(force)))
+        let (q, q_dot, force) = (padded(q), padded(q_dot), padded(force));
+        self.without_padding(on_registers!(registers => {
+            self.body.on(registers).forward_dynamics(&state, &q, &q_dot, &force)
+        }))
     }
 
     fn kinetic_energy(&self, q: &[f64], velocity: [f64; 3], omega: [f64; 3], q_dot: &[f64]) -> f64 {
-        self.body.kinetic_energy(&self.state(q, omega, q_dot), &velocity, &omega, &padded(q_dot))
+        let state = self.state(q, omega, q_dot);
+        on_registers!(registers => {
+            self.body.on(registers).kinetic_energy(&state, &velocity, &omega, &padded(q_dot))
+        })
     }
 
     fn angular_momentum(&self, q: &[f64], velocity: [f64; 3], omega: [f64; 3], q_dot: &[f64]) -> [f64; 3] {
-        self.body.angular_momentum(&self.state(q, omega, q_dot), &velocity, &omega)
+        let state = self.state(q, omega, q_dot);
+        on_registers!(registers => self.body.on(registers).angular_momentum(&state, &velocity, &omega))
     }
 }

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use super::{Four, Lanes, Scalar};
+use super::{Everywhere, Four, Lanes, Scalar};
 
 /// `W` numbers of any scalar type, one after another.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,23 +25,13 @@ lane_by_lane! { Add add  Sub sub  Mul mul }
 
 impl<T: Scalar, const W: usize> Lanes<T, W> for ArrayLanes<T, W> {
     #[inline(always)]
-    fn zero() -> Self {
-        Self([T::zero(); W])
-    }
-
-    #[inline(always)]
-    fn load(numbers: &[T; W]) -> Self {
+    fn like(self, numbers: &[T; W]) -> Self {
         Self(*numbers)
     }
 
     #[inline(always)]
     fn store(self) -> [T; W] {
         self.0
-    }
-
-    #[inline(always)]
-    fn splat(number: T) -> Self {
-        Self([number; W])
     }
 
     #[inline(always)]
@@ -57,6 +47,18 @@ impl<T: Scalar, const W: usize> Lanes<T, W> for ArrayLanes<T, W> {
     #[inline(always)]
     fn sum(self) -> T {
         self.0.into_iter().fold(T::zero(), |sum, lane| sum + lane)
+    }
+}
+
+impl<T: Scalar, const W: usize> Everywhere<T, W> for ArrayLanes<T, W> {
+    #[inline(always)]
+    fn load(numbers: &[T; W]) -> Self {
+        Self(*numbers)
+    }
+
+    #[inline(always)]
+    fn splat(number: T) -> Self {
+        Self([number; W])
     }
 }
 

@@ -1,6 +1,6 @@
 //! The constant numbers of a body, in lanes.
 
-use super::{Factors, ModalFactors};
+use super::{Compiled, Factors, ModalFactors};
 
 /// A symmetric matrix over the modes, in groups of four; `C` is the type of the constants.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +21,9 @@ pub enum ModalMatrix<'a, C, const M: usize, const G: usize> {
 /// that these are made from ([`Scalar::Constant`](super::Scalar::Constant)). `P` is the table of the moments T_μν.
 /// A layout without a term has `None` in its place.
 #[derive(Debug, Clone, Copy)]
-pub struct LaneBody<'a, C, const M: usize, const G: usize, P> {
+pub struct LaneBody<'a, C, const M: usize, const G: usize, P, R = Compiled> {
+    /// What the loops compute in.
+    pub registers: R,
     /// Mass m. Units: kg.
     pub mass: C,
     /// First moment m a. Shape: 3. Units: kg m.
@@ -52,4 +54,32 @@ pub struct LaneBody<'a, C, const M: usize, const G: usize, P> {
     pub moments: P,
     /// -ϑ(Γ_μν): geometric stiffness of angular acceleration, `[group][nu][axis][lane]`, lanes over μ.
     pub second_order_odd: Option<&'a [[[[C; 4]; 3]; M]; G]>,
+}
+
+impl<'a, C: Copy, const M: usize, const G: usize, P, R> LaneBody<'a, C, M, G, P, R> {
+    /// The same body in other registers.
+    #[inline(always)]
+    pub fn on<'b, S>(&'b self, registers: S) -> LaneBody<'b, C, M, G, &'b P, S>
+    where
+        'a: 'b,
+    {
+        LaneBody {
+            registers,
+            mass: self.mass,
+            first_moment: self.first_moment,
+            modal_first_moment: self.modal_first_moment,
+            inertia: self.inertia,
+            translation_factors: self.translation_factors,
+            eliminated_first_moment: self.eliminated_first_moment,
+            position_mode_even: self.position_mode_even,
+            position_mode_odd: self.position_mode_odd,
+            trace: self.trace,
+            modal_mass: self.modal_mass,
+            modal_factors: self.modal_factors,
+            stiffness: self.stiffness,
+            damping: self.damping,
+            moments: &self.moments,
+            second_order_odd: self.second_order_odd,
+        }
+    }
 }

@@ -1,11 +1,11 @@
 //! Kinetic energy and angular momentum.
 
 use super::equations::{State, sums};
+use super::groups::{groups, stored, zero};
 use super::rigid::{add, cross, dot, times};
-use super::scalar::{Register, groups, stored};
-use super::{LaneBody, Lanes, Scalar};
+use super::{LaneBody, Lanes, Registers, Scalar};
 
-impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P, R> LaneBody<'_, C, M, G, P, R> {
     /// Kinetic energy. Units: J. Source: `docs/theory/README.md`, E, the sum of all kept terms.
     #[inline(always)]
     pub fn kinetic_energy<T: Scalar<Constant = C>>(
@@ -14,21 +14,25 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
         velocity: &[T; 3],
         omega: &[T; 3],
         q_dot: &[T; M],
-    ) -> T {
-        let rates = groups::<T, M, G>(q_dot);
-        let mut modal = Register::<T>::zero();
-        let vector = stored::<T, G>(&rates);
+    ) -> T
+    where
+        R: Registers<T>,
+    {
+        let registers = self.registers;
+        let rates = groups::<T, R, M, G>(registers, q_dot);
+        let mut modal = zero::<T, R>(registers);
+        let vector = stored::<T, R, G>(&rates);
         for g in 0..G {
-            let [momentum] = self.modal_mass.products::<T, 1>(g, [rates[g]], [&vector]);
+            let [momentum] = self.modal_mass.products::<T, R, 1>(registers, g, [rates[g]], [&vector]);
             modal = momentum.multiply_add(rates[g], modal);
         }
-        let [modal] = sums::<T, 1>([modal]);
+        let [modal] = sums::<T, R, 1>(registers, [modal]);
         let (velocity, omega) = (*velocity, *omega);
-        let carried = add(cross(omega, state.first_moment), state.momentum);
-        let twice = T::constant(self.mass) * dot(velocity, velocity)
-            + dot(omega, times(state.inertia, omega))
+        let carried = add(cross(registers, omega, state.first_moment), state.momentum);
+        let twice = T::constant(self.mass) * dot(registers, velocity, velocity)
+            + dot(registers, omega, times(registers, state.inertia, omega))
             + modal;
-        T::half() * twice + dot(velocity, carried) + dot(omega, state.spin)
+        T::half() * twice + dot(registers, velocity, carried) + dot(registers, omega, state.spin)
     }
 
     /// Angular momentum m r × v + Θ_rr ω + Θ_rf q̇ about the frame origin. Shape: 3. Units: N m s.
@@ -38,8 +42,12 @@ impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
         state: &State<T, G>,
         velocity: &[T; 3],
         omega: &[T; 3],
-    ) -> [T; 3] {
-        let orbital = cross(state.first_moment, *velocity);
-        add(orbital, add(times(state.inertia, *omega), state.spin))
+    ) -> [T; 3]
+    where
+        R: Registers<T>,
+    {
+        let registers = self.registers;
+        let orbital = cross(registers, state.first_moment, *velocity);
+        add(orbital, add(times(registers, state.inertia, *omega), state.spin))
     }
 }

@@ -1,6 +1,6 @@
 //! Triangular factors of symmetric positive definite matrices in space.
 
-use super::Scalar;
+use super::{Registers, Scalar};
 
 /// S = L D Lᵀ, with ones on the diagonal of L.
 ///
@@ -21,14 +21,14 @@ impl<T: Scalar> Factors<T> {
     /// over the size of the entries, to any accuracy: without it the last pivot is of their fourth power, which f32 does
     /// not hold for a body of a gram and a millimetre.
     #[inline(always)]
-    pub(super) fn new([xx, yy, zz, xy, xz, yz]: [T; 6], scale: T) -> Self {
+    pub(super) fn new<R: Registers<T>>(registers: R, [xx, yy, zz, xy, xz, yz]: [T; 6], scale: T) -> Self {
         let first = T::one() / xx;
         let [pivot, scaled_y, scaled_z] = [xx, xy, xz].map(|entry| entry * scale);
-        let yy = pivot.multiply_add(yy, -(scaled_y * xy));
-        let yz = pivot.multiply_add(yz, -(scaled_y * xz));
-        let zz = pivot.multiply_add(zz, -(scaled_z * xz));
+        let yy = registers.multiply_add(pivot, yy, -(scaled_y * xy));
+        let yz = registers.multiply_add(pivot, yz, -(scaled_y * xz));
+        let zz = registers.multiply_add(pivot, zz, -(scaled_z * xz));
         let second = T::one() / yy;
-        let third = T::one() / yy.multiply_add(zz, -(yz * yz));
+        let third = T::one() / registers.multiply_add(yy, zz, -(yz * yz));
         Self {
             inverse_pivots: [first, pivot * second, pivot * yy * third],
             lower: Some([xy * first, xz * first, yz * second]),
@@ -50,10 +50,10 @@ impl<C: Copy> Factors<C> {
 impl<T: Scalar> Factors<T> {
     /// L⁻¹ v
     #[inline(always)]
-    pub(super) fn forward(&self, [x, y, z]: [T; 3]) -> [T; 3] {
+    pub(super) fn forward<R: Registers<T>>(&self, registers: R, [x, y, z]: [T; 3]) -> [T; 3] {
         let Some([yx, zx, zy]) = self.lower else { return [x, y, z] };
-        let y = (-yx).multiply_add(x, y);
-        [x, y, (-zy).multiply_add(y, (-zx).multiply_add(x, z))]
+        let y = registers.multiply_add(-yx, x, y);
+        [x, y, registers.multiply_add(-zy, y, registers.multiply_add(-zx, x, z))]
     }
 
     /// D⁻¹ v
@@ -64,39 +64,41 @@ impl<T: Scalar> Factors<T> {
 
     /// L⁻ᵀ v
     #[inline(always)]
-    pub(super) fn backward(&self, [x, y, z]: [T; 3]) -> [T; 3] {
+    pub(super) fn backward<R: Registers<T>>(&self, registers: R, [x, y, z]: [T; 3]) -> [T; 3] {
         let Some([yx, zx, zy]) = self.lower else { return [x, y, z] };
-        let y = (-zy).multiply_add(z, y);
-        [(-yx).multiply_add(y, (-zx).multiply_add(z, x)), y, z]
+        let y = registers.multiply_add(-zy, z, y);
+        [registers.multiply_add(-yx, y, registers.multiply_add(-zx, z, x)), y, z]
     }
 }
 
 /// S⁻¹ v for S: xx, yy, zz, xy, xz, yz. The elimination of [`Factors::new`], `scale` as there, with the right-hand side
 /// along with the matrix, so that little is left to do behind the last division.
 #[inline(always)]
-pub(super) fn solve_with_divisions_deferred<T: Scalar>(
+pub(super) fn solve_with_divisions_deferred<T: Scalar, R: Registers<T>>(
+    registers: R,
     [xx, yy, zz, xy, xz, yz]: [T; 6],
     scale: T,
     [x, y, z]: [T; 3],
 ) -> [T; 3] {
     let [pivot, scaled_y, scaled_z] = [xx, xy, xz].map(|entry| entry * scale);
-    let yy = pivot.multiply_add(yy, -(scaled_y * xy));
-    let yz = pivot.multiply_add(yz, -(scaled_y * xz));
-    let zz = pivot.multiply_add(zz, -(scaled_z * xz));
-    let y = pivot.multiply_add(y, -(scaled_y * x));
-    let z = pivot.multiply_add(z, -(scaled_z * x));
+    let yy = registers.multiply_add(pivot, yy, -(scaled_y * xy));
+    let yz = registers.multiply_add(pivot, yz, -(scaled_y * xz));
+    let zz = registers.multiply_add(pivot, zz, -(scaled_z * xz));
+    let y = registers.multiply_add(pivot, y, -(scaled_y * x));
+    let z = registers.multiply_add(pivot, z, -(scaled_z * x));
     let [first, second] = [xx, yy].map(|pivot| T::one() / pivot);
-    let third = T::one() / yy.multiply_add(zz, -(yz * yz));
-    let z = yy.multiply_add(z, -(yz * y)) * third;
+    let third = T::one() / registers.multiply_add(yy, zz, -(yz * yz));
+    let z = registers.multiply_add(yy, z, -(yz * y)) * third;
     // Rows are divided before the unknowns to the right are known: one operation a row is left to wait for.
     let [y, yz] = [y, yz].map(|entry| entry * second);
     let [x, xz, xy] = [x, xz, xy].map(|entry| entry * first);
-    let y = (-yz).multiply_add(z, y);
-    [(-xy).multiply_add(y, (-xz).multiply_add(z, x)), y, z]
+    let y = registers.multiply_add(-yz, z, y);
+    [registers.multiply_add(-xy, y, registers.multiply_add(-xz, z, x)), y, z]
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Compiled;
     use super::super::rigid::{subtract, times};
     use super::*;
 
@@ -104,12 +106,12 @@ mod tests {
     fn the_matrix_times_a_solution_is_the_right_hand_side() {
         let matrix = [4.0, 5.0, 6.0, 0.5, -0.25, 1.0];
         for scale in [1e-3, 1.0, 1e3] {
-            let factors = Factors::new(matrix, scale);
+            let factors = Factors::new(Compiled, matrix, scale);
             for axis in 0..3 {
                 let unit: [f64; 3] = core::array::from_fn(|i| if i == axis { 1.0 } else { 0.0 });
-                let by_factors = factors.backward(factors.weigh(factors.forward(unit)));
-                for solution in [by_factors, solve_with_divisions_deferred(matrix, scale, unit)] {
-                    let back = times(matrix, solution);
+                let by_factors = factors.backward(Compiled, factors.weigh(factors.forward(Compiled, unit)));
+                for solution in [by_factors, solve_with_divisions_deferred(Compiled, matrix, scale, unit)] {
+                    let back = times(Compiled, matrix, solution);
                     assert!(subtract(back, unit).iter().all(|x| x.abs() < 4.0 * f64::EPSILON), "{back:?}");
                 }
             }
@@ -121,9 +123,11 @@ mod tests {
         // A cube of a gram and a millimetre, and a ship.
         for size in [1e-10_f32, 1e12] {
             let matrix = [size, 2.0 * size, 3.0 * size, 0.1 * size, 0.0, 0.2 * size];
-            let factors = Factors::new(matrix, 1.0 / size);
-            let by_factors = factors.backward(factors.weigh(factors.forward([size; 3])));
-            for solution in [by_factors, solve_with_divisions_deferred(matrix, 1.0 / size, [size; 3])] {
+            let factors = Factors::new(Compiled, matrix, 1.0 / size);
+            let by_factors = factors.backward(Compiled, factors.weigh(factors.forward(Compiled, [size; 3])));
+            for solution in
+                [by_factors, solve_with_divisions_deferred(Compiled, matrix, 1.0 / size, [size; 3])]
+            {
                 assert!(solution.iter().all(|x| x.is_finite() && *x > 0.1), "{size}: {solution:?}");
             }
         }

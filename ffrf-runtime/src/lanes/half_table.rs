@@ -11,8 +11,8 @@
 //!
 //! with + for the even components (symmetric under μ <-> ν) and - for the odd ones (antisymmetric).
 
-use super::scalar::constants;
-use super::{HasLanes, Lanes, MomentTable, Moments, Scalar};
+use super::groups::{constants, scaled};
+use super::{Lanes, MomentTable, Moments, Registers, Scalar, Width};
 
 /// Moments by blocks of `W` x `W` modes, for `H` rows of blocks; `TILES` = 8 H (H - 1) / 2.
 ///
@@ -28,7 +28,7 @@ pub struct HalfTable<C, const W: usize, const H: usize, const TILES: usize> {
     pub below: [[[C; W]; W]; TILES],
 }
 
-type Of<T, const W: usize> = <T as HasLanes<W>>::Lanes;
+type Of<T, R, const W: usize> = <R as Width<T, W>>::Lanes;
 
 /// What a block column knows while it is worked through.
 struct Column<R, const W: usize> {
@@ -59,23 +59,25 @@ fn collect<T: Copy, R: Lanes<T, W>, const W: usize>(partial: &[R; W]) -> R {
 
 /// `N` even components of one block column; `below` runs through the tiles.
 #[inline(always)]
-fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: usize, const N: usize>(
+fn even<'a, T: Scalar, R: Width<T, W>, const W: usize, const H: usize, const G: usize, const N: usize>(
+    registers: R,
     column: usize,
-    coordinates: &[Of<T, W>; H],
-    known: &Column<Of<T, W>, W>,
+    coordinates: &[Of<T, R, W>; H],
+    known: &Column<Of<T, R, W>, W>,
     diagonal: &[[[T::Constant; W]; W]],
     below: &mut core::slice::Iter<'a, [[T::Constant; W]; W]>,
     moments: &mut [[[T; 4]; G]],
 ) {
-    let mut partial = [[Of::<T, W>::zero(); W]; N];
+    let zero = registers.splat(T::zero());
+    let mut partial = [[zero; W]; N];
     for row in column + 1..H {
         let q = coordinates[row];
         for (moments, partial) in moments.iter_mut().zip(&mut partial) {
             let Some(tile) = below.next() else { return };
             let Some(place) = blocks_of::<T, W>(moments).get_mut(row) else { return };
-            let mut sum = Of::<T, W>::load(place);
+            let mut sum = Width::<T, W>::load(registers, place);
             for k in 0..W {
-                let moment = constants::<T, Of<T, W>, W>(&tile[k]);
+                let moment = constants::<T, R, W>(registers, &tile[k]);
                 sum = moment.multiply_add(known.q[k], sum);
                 partial[k] = moment.multiply_add(q, partial[k]);
             }
@@ -84,9 +86,9 @@ fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: us
     }
     for ((moments, partial), diagonal) in moments.iter_mut().zip(&partial).zip(diagonal) {
         let Some(place) = blocks_of::<T, W>(moments).get_mut(column) else { return };
-        let mut sum = Of::<T, W>::load(place);
+        let mut sum = Width::<T, W>::load(registers, place);
         for k in 0..W {
-            sum = constants::<T, Of<T, W>, W>(&diagonal[k]).multiply_add(known.q[k], sum);
+            sum = constants::<T, R, W>(registers, &diagonal[k]).multiply_add(known.q[k], sum);
         }
         *place = (sum + collect(partial)).store();
     }
@@ -95,27 +97,29 @@ fn even<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize, const G: us
 /// One odd component of one block column, and its part of the whirl; `twice` is 2 ω of that axis.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)] // the state of one loop nest, written once
-fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
+fn odd<'a, T: Scalar, R: Width<T, W>, const W: usize, const H: usize>(
+    registers: R,
     column: usize,
-    [coordinates, rates]: [&[Of<T, W>; H]; 2],
-    known: &Column<Of<T, W>, W>,
-    twice: Of<T, W>,
+    [coordinates, rates]: [&[Of<T, R, W>; H]; 2],
+    known: &Column<Of<T, R, W>, W>,
+    twice: Of<T, R, W>,
     diagonal: &[[T::Constant; W]; W],
     below: &mut core::slice::Iter<'a, [[T::Constant; W]; W]>,
     moments: &mut [[T; 4]],
     whirl: &mut [[T; 4]],
-    whirl_partial: &mut [Of<T, W>; W],
+    whirl_partial: &mut [Of<T, R, W>; W],
 ) {
     let (moments, whirl) = (blocks_of::<T, W>(moments), blocks_of::<T, W>(whirl));
-    let mut partial = [Of::<T, W>::zero(); W];
-    let turned = known.q_dot.map(|rate| rate * twice);
+    let mut partial = [registers.splat(T::zero()); W];
+    let turned = scaled(twice, known.q_dot);
     for row in column + 1..H {
         let (q, rate) = (coordinates[row], rates[row] * twice);
         let Some(tile) = below.next() else { return };
         let (Some(moments), Some(whirl)) = (moments.get_mut(row), whirl.get_mut(row)) else { return };
-        let (mut sum, mut turn) = (Of::<T, W>::load(moments), Of::<T, W>::load(whirl));
+        let (mut sum, mut turn) =
+            (Width::<T, W>::load(registers, moments), Width::<T, W>::load(registers, whirl));
         for k in 0..W {
-            let moment = constants::<T, Of<T, W>, W>(&tile[k]);
+            let moment = constants::<T, R, W>(registers, &tile[k]);
             sum = moment.multiply_add(known.q[k], sum);
             turn = moment.multiply_add(turned[k], turn);
             partial[k] = moment.subtract_from(q, partial[k]);
@@ -125,9 +129,10 @@ fn odd<'a, T: Scalar + HasLanes<W>, const W: usize, const H: usize>(
     }
     // Diagonal 0 of a diagonal block is ϑ_μμ = 0.
     let (Some(moments), Some(whirl)) = (moments.get_mut(column), whirl.get_mut(column)) else { return };
-    let (mut sum, mut turn) = (Of::<T, W>::load(moments), Of::<T, W>::load(whirl));
+    let (mut sum, mut turn) =
+        (Width::<T, W>::load(registers, moments), Width::<T, W>::load(registers, whirl));
     for k in 1..W {
-        let moment = constants::<T, Of<T, W>, W>(&diagonal[k]);
+        let moment = constants::<T, R, W>(registers, &diagonal[k]);
         sum = moment.multiply_add(known.q[k], sum);
         turn = moment.multiply_add(turned[k], turn);
     }
@@ -140,28 +145,62 @@ fn blocks_of<T, const W: usize>(groups: &mut [[T; 4]]) -> &mut [[T; W]] {
     groups.as_flattened_mut().as_chunks_mut::<W>().0
 }
 
-impl<T, const M: usize, const G: usize, const W: usize, const H: usize, const TILES: usize>
-    MomentTable<T, M, G> for HalfTable<T::Constant, W, H, TILES>
+impl<T, R, const M: usize, const G: usize, const W: usize, const H: usize, const TILES: usize>
+    MomentTable<T, M, G, R> for HalfTable<T::Constant, W, H, TILES>
 where
-    T: Scalar + HasLanes<W>,
+    T: Scalar,
+    R: Registers<T> + Width<T, W>,
 {
     #[inline(always)]
-    fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
+    fn multiply(
+        &self,
+        registers: R,
+        q: &[T; M],
+        q_dot: &[T; M],
+        two_omega: [T; 3],
+        moments: &mut Moments<T, G>,
+    ) {
         const { assert!(TILES == 4 * H * (H - 1) && 4 * G == W * H && W * H >= M) };
-        let (coordinates, rates) = (blocks::<T, M, W, H>(q), blocks::<T, M, W, H>(q_dot));
-        let two_omega = two_omega.map(Of::<T, W>::splat);
+        let (coordinates, rates) =
+            (blocks::<T, R, M, W, H>(registers, q), blocks::<T, R, M, W, H>(registers, q_dot));
+        let two_omega = two_omega.map(|number| Width::<T, W>::splat(registers, number));
         let Moments { even: evens, odd: odds, whirl } = moments;
         let mut below = self.below.iter();
         for column in 0..H {
             let known = Column { q: rotations(coordinates[column]), q_dot: rotations(rates[column]) };
             let diagonal = &self.diagonal[column];
             let below = &mut below;
-            even::<T, W, H, G, 2>(column, &coordinates, &known, &diagonal[..2], below, &mut evens[..2]);
-            even::<T, W, H, G, 2>(column, &coordinates, &known, &diagonal[2..4], below, &mut evens[2..4]);
-            even::<T, W, H, G, 1>(column, &coordinates, &known, &diagonal[4..5], below, &mut evens[4..]);
-            let mut partial = [Of::<T, W>::zero(); W];
+            even::<T, R, W, H, G, 2>(
+                registers,
+                column,
+                &coordinates,
+                &known,
+                &diagonal[..2],
+                below,
+                &mut evens[..2],
+            );
+            even::<T, R, W, H, G, 2>(
+                registers,
+                column,
+                &coordinates,
+                &known,
+                &diagonal[2..4],
+                below,
+                &mut evens[2..4],
+            );
+            even::<T, R, W, H, G, 1>(
+                registers,
+                column,
+                &coordinates,
+                &known,
+                &diagonal[4..5],
+                below,
+                &mut evens[4..],
+            );
+            let mut partial = [Width::<T, W>::splat(registers, T::zero()); W];
             for axis in 0..3 {
-                odd::<T, W, H>(
+                odd::<T, R, W, H>(
+                    registers,
                     column,
                     [&coordinates, &rates],
                     &known,
@@ -174,7 +213,7 @@ where
                 );
             }
             if let Some(place) = blocks_of::<T, W>(whirl).get_mut(column) {
-                *place = (Of::<T, W>::load(place) + collect(&partial)).store();
+                *place = (Width::<T, W>::load(registers, place) + collect(&partial)).store();
             }
         }
     }
@@ -182,12 +221,13 @@ where
 
 /// The numbers in blocks of `W`, padded with zero.
 #[inline(always)]
-fn blocks<T: Scalar + HasLanes<W>, const M: usize, const W: usize, const H: usize>(
+fn blocks<T: Scalar, R: Width<T, W>, const M: usize, const W: usize, const H: usize>(
+    registers: R,
     numbers: &[T; M],
-) -> [Of<T, W>; H] {
+) -> [Of<T, R, W>; H] {
     let mut padded = [[T::zero(); W]; H];
     for (place, number) in padded.as_flattened_mut().iter_mut().zip(numbers) {
         *place = *number;
     }
-    padded.map(|block| Lanes::load(&block))
+    padded.map(|block| registers.load(&block))
 }

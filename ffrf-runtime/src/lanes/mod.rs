@@ -10,7 +10,8 @@
 //! - [`FullTable`]: every T_μν is stored, q_ν is spread over the lanes;
 //! - [`HalfTable`]: T_νμ = T_μνᵀ is stored once and used twice, for tables that outgrow the first-level cache.
 //!
-//! Safe code on every target: the registers are those of the `wide` crate, which falls back to arrays.
+//! Safe code on every target: the registers are those of the `wide` crate, which falls back to arrays ([`Compiled`]). On
+//! hosts the loops are compiled again for AVX2 and for AVX-512, and run so where the processor has it (`on_registers!`).
 
 mod array;
 mod body;
@@ -18,7 +19,11 @@ mod dynamics;
 mod energy;
 mod equations;
 mod factors;
+mod found;
+#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
+mod found_lanes;
 mod full_table;
+mod groups;
 mod half_table;
 mod mass_matrix;
 mod modal_factors;
@@ -28,23 +33,31 @@ mod moments;
 mod parameters;
 mod prepared;
 mod real;
+mod registers;
 mod rigid;
 mod scalar;
 mod vector;
 
+pub use crate::on_registers;
 pub use array::ArrayLanes;
 pub use body::{LaneBody, ModalMatrix};
 pub use equations::State;
 pub use factors::Factors;
+#[cfg(all(feature = "host-simd", target_arch = "x86_64"))]
+pub use fearless_simd::{
+    Level,
+    x86::{Avx2, Avx512},
+};
 pub use full_table::FullTable;
 pub use half_table::HalfTable;
 pub use modal_factors::ModalFactors;
 pub use moment_structure::{Antisymmetric, Dense, Diagonal3, MomentComponents, MomentStructure, Symmetric};
-pub use moments::{MomentTable, Moments};
+pub use moments::{MomentTable, Moments, PortableTable};
 pub use parameters::{ParameterDiagonal, ParameterMoments, ParameterTables, Parameters, traces};
 pub use real::{Real, numbers, reals};
+pub use registers::{Compiled, Processor, Registers, Width};
 pub use scalar::Scalar;
-pub use vector::{Four, HasLanes, Lanes};
+pub use vector::{Everywhere, Four, HasLanes, Lanes};
 
 /// `force` less the elastic and damping forces `internal` in its modal rows. Shape: N = 6 + M.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Triangular factors of Θ_ff.
 
-use super::scalar::{Register, four};
-use super::{Lanes, Scalar};
+use super::groups::{Register, four, load, scaled, splat};
+use super::{Lanes, Registers, Scalar};
 
 /// Θ_ff = L D Lᵀ with ones on the diagonal of L, in groups of four modes.
 #[derive(Debug, Clone, Copy)]
@@ -22,33 +22,37 @@ pub enum ModalFactors<'a, C, const M: usize, const G: usize> {
 impl<C: Copy, const M: usize, const G: usize> ModalFactors<'_, C, M, G> {
     /// One group of D⁻¹ v of `K` vectors.
     #[inline(always)]
-    pub(super) fn weigh<T: Scalar<Constant = C>, const K: usize>(
+    pub(super) fn weigh<T: Scalar<Constant = C>, R: Registers<T>, const K: usize>(
         &self,
+        registers: R,
         group: usize,
-        lanes: [Register<T>; K],
-    ) -> [Register<T>; K] {
+        lanes: [Register<T, R>; K],
+    ) -> [Register<T, R>; K] {
         match self {
             Self::Identity => lanes,
             Self::Diagonal(entries) | Self::Triangular { inverse_pivots: entries, .. } => {
-                let entries = four::<T>(&entries[group]);
-                lanes.map(|lanes| entries * lanes)
+                scaled(four::<T, R>(registers, &entries[group]), lanes)
             }
         }
     }
 
     /// L⁻¹ v of `K` vectors, in place.
     #[inline(always)]
-    pub(super) fn forward<T: Scalar<Constant = C>, const K: usize>(&self, vectors: &mut [[[T; 4]; G]; K]) {
+    pub(super) fn forward<T: Scalar<Constant = C>, R: Registers<T>, const K: usize>(
+        &self,
+        registers: R,
+        vectors: &mut [[[T; 4]; G]; K],
+    ) {
         let Self::Triangular { lower, .. } = self else { return };
         for group in 0..G {
             let columns = lower[group].iter().enumerate().take(4 * group);
-            let mut block = Self::rest(columns, group, vectors);
+            let mut block = Self::rest(registers, columns, group, vectors);
             for j in 0..4 {
                 let Some(column) = lower[group].get(4 * group + j) else { continue };
                 for i in j + 1..4 {
                     let entry = -T::constant(column[i]);
                     for vector in &mut block {
-                        vector[i] = entry.multiply_add(vector[j], vector[i]);
+                        vector[i] = registers.multiply_add(entry, vector[j], vector[i]);
                     }
                 }
             }
@@ -60,17 +64,21 @@ impl<C: Copy, const M: usize, const G: usize> ModalFactors<'_, C, M, G> {
 
     /// L⁻ᵀ v of `K` vectors, in place.
     #[inline(always)]
-    pub(super) fn backward<T: Scalar<Constant = C>, const K: usize>(&self, vectors: &mut [[[T; 4]; G]; K]) {
+    pub(super) fn backward<T: Scalar<Constant = C>, R: Registers<T>, const K: usize>(
+        &self,
+        registers: R,
+        vectors: &mut [[[T; 4]; G]; K],
+    ) {
         let Self::Triangular { lower, .. } = self else { return };
         for group in (0..G).rev() {
             let columns = lower[group].iter().enumerate().skip(4 * group + 4);
-            let mut block = Self::rest(columns, group, vectors);
+            let mut block = Self::rest(registers, columns, group, vectors);
             for j in (1..4).rev() {
                 let Some(column) = lower[group].get(4 * group + j) else { continue };
                 for i in 0..j {
                     let entry = -T::constant(column[i]);
                     for vector in &mut block {
-                        vector[i] = entry.multiply_add(vector[j], vector[i]);
+                        vector[i] = registers.multiply_add(entry, vector[j], vector[i]);
                     }
                 }
             }
@@ -82,7 +90,8 @@ impl<C: Copy, const M: usize, const G: usize> ModalFactors<'_, C, M, G> {
 
     /// One group of each vector less the columns times the entries that are already solved for.
     #[inline(always)]
-    fn rest<'b, T: Scalar<Constant = C>, const K: usize>(
+    fn rest<'b, T: Scalar<Constant = C>, R: Registers<T>, const K: usize>(
+        registers: R,
         columns: impl Iterator<Item = (usize, &'b [C; 4])>,
         group: usize,
         vectors: &[[[T; 4]; G]; K],
@@ -90,13 +99,13 @@ impl<C: Copy, const M: usize, const G: usize> ModalFactors<'_, C, M, G> {
     where
         C: 'b,
     {
-        let mut rest = vectors.each_ref().map(|vector| Register::<T>::load(&vector[group]));
+        let mut rest = vectors.each_ref().map(|vector| load::<T, R>(registers, &vector[group]));
         let entries = vectors.each_ref().map(|vector| vector.as_flattened());
         for (nu, column) in columns {
-            let column = four::<T>(column);
+            let column = four::<T, R>(registers, column);
             for (rest, entries) in rest.iter_mut().zip(entries) {
                 if let Some(entry) = entries.get(nu) {
-                    *rest = column.subtract_from(Register::<T>::splat(*entry), *rest);
+                    *rest = column.subtract_from(splat::<T, R>(registers, *entry), *rest);
                 }
             }
         }
@@ -106,6 +115,7 @@ impl<C: Copy, const M: usize, const G: usize> ModalFactors<'_, C, M, G> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Compiled;
     use super::*;
 
     #[test]
@@ -136,9 +146,9 @@ mod tests {
         for is_transposed in [false, true] {
             let mut vectors = [product(is_transposed)];
             if is_transposed {
-                factors.backward(&mut vectors)
+                factors.backward(Compiled, &mut vectors)
             } else {
-                factors.forward(&mut vectors)
+                factors.forward(Compiled, &mut vectors)
             }
             for (found, expected) in vectors.as_flattened().as_flattened().iter().zip(expected) {
                 assert!((found - expected).abs() < 1e-14, "{found}, expected {expected}");

@@ -1,29 +1,30 @@
 //! Products of matrices over the modes.
 
-use super::scalar::{Register, four};
-use super::{Lanes, ModalMatrix, Scalar};
+use super::groups::{Register, four, scaled, splat, zero};
+use super::{Lanes, ModalMatrix, Registers, Scalar};
 
 impl<C: Copy, const M: usize, const G: usize> ModalMatrix<'_, C, M, G> {
     /// One group of the products with `K` vectors, which are given by this group and as a whole.
     #[inline(always)]
-    pub(super) fn products<T: Scalar<Constant = C>, const K: usize>(
+    pub(super) fn products<T: Scalar<Constant = C>, R: Registers<T>, const K: usize>(
         &self,
+        registers: R,
         group: usize,
-        lanes: [Register<T>; K],
+        lanes: [Register<T, R>; K],
         vectors: [&[[T; 4]; G]; K],
-    ) -> [Register<T>; K] {
+    ) -> [Register<T, R>; K] {
         match self {
-            Self::Zero => [Register::<T>::zero(); K],
+            Self::Zero => [zero::<T, R>(registers); K],
             Self::Identity => lanes,
-            Self::Diagonal(entries) => lanes.map(|lanes| four::<T>(&entries[group]) * lanes),
+            Self::Diagonal(entries) => scaled(four::<T, R>(registers, &entries[group]), lanes),
             Self::Dense(entries) => {
-                let mut sums = [Register::<T>::zero(); K];
+                let mut sums = [zero::<T, R>(registers); K];
                 let vectors = vectors.map(|vector| vector.as_flattened());
                 for (nu, column) in entries[group].iter().enumerate() {
-                    let column = four::<T>(column);
+                    let column = four::<T, R>(registers, column);
                     for (sum, vector) in sums.iter_mut().zip(vectors) {
                         if let Some(entry) = vector.get(nu) {
-                            *sum = column.multiply_add(Register::<T>::splat(*entry), *sum);
+                            *sum = column.multiply_add(splat::<T, R>(registers, *entry), *sum);
                         }
                     }
                 }
@@ -34,21 +35,23 @@ impl<C: Copy, const M: usize, const G: usize> ModalMatrix<'_, C, M, G> {
 
     /// `term` less one group of the product with a vector, which is given by this group and as a whole.
     #[inline(always)]
-    pub(super) fn subtract_product<T: Scalar<Constant = C>>(
+    pub(super) fn subtract_product<T: Scalar<Constant = C>, R: Registers<T>>(
         &self,
+        registers: R,
         group: usize,
-        lanes: Register<T>,
+        lanes: Register<T, R>,
         vector: &[[T; 4]; G],
-        term: Register<T>,
-    ) -> Register<T> {
+        term: Register<T, R>,
+    ) -> Register<T, R> {
         match self {
             Self::Zero => term,
             Self::Identity => term - lanes,
-            Self::Diagonal(entries) => four::<T>(&entries[group]).subtract_from(lanes, term),
+            Self::Diagonal(entries) => four::<T, R>(registers, &entries[group]).subtract_from(lanes, term),
             Self::Dense(entries) => {
                 let mut rest = term;
                 for (column, entry) in entries[group].iter().zip(vector.as_flattened()) {
-                    rest = four::<T>(column).subtract_from(Register::<T>::splat(*entry), rest);
+                    rest =
+                        four::<T, R>(registers, column).subtract_from(splat::<T, R>(registers, *entry), rest);
                 }
                 rest
             }

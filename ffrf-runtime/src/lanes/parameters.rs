@@ -5,7 +5,9 @@
 use core::marker::PhantomData;
 
 use super::moment_structure::{MomentComponents, MomentStructure};
-use super::{Factors, LaneBody, ModalFactors, ModalMatrix, MomentTable, Moments, Scalar};
+use super::{
+    Compiled, Factors, LaneBody, ModalFactors, ModalMatrix, MomentTable, Moments, Registers, Scalar,
+};
 
 /// A diagonal matrix over the modes that is known when compiling or when running.
 #[derive(Debug, Clone, Copy)]
@@ -166,7 +168,7 @@ impl<C: Scalar, const M: usize> Parameters<C, M> {
                 left[k] -= b[i] * weighted[j];
             }
         }
-        Factors::new(left, scale)
+        Factors::new(Compiled, left, scale)
     }
 }
 
@@ -175,6 +177,7 @@ impl<C: Copy, const M: usize, const G: usize> ParameterTables<C, M, G> {
     #[inline(always)]
     pub fn body<P>(&self, moments: P) -> LaneBody<'_, C, M, G, P> {
         LaneBody {
+            registers: Compiled,
             mass: self.mass,
             first_moment: self.first_moment,
             modal_first_moment: self.modal_first_moment.as_ref(),
@@ -220,15 +223,23 @@ impl<'a, C, S: MomentStructure<C>, const M: usize, const EVEN: bool, const ODD: 
     }
 }
 
-impl<T, S, const M: usize, const G: usize, const EVEN: bool, const ODD: bool> MomentTable<T, M, G>
+impl<T, S, R, const M: usize, const G: usize, const EVEN: bool, const ODD: bool> MomentTable<T, M, G, R>
     for ParameterMoments<'_, T::Constant, S, M, EVEN, ODD>
 where
     T: Scalar,
+    R: Registers<T>,
     S: MomentStructure<T::Constant>,
 {
     /// Each pair of modes once: T_νμ = T_μνᵀ has the same even components and odd ones of the other sign.
     #[inline(always)]
-    fn multiply(&self, q: &[T; M], q_dot: &[T; M], two_omega: [T; 3], moments: &mut Moments<T, G>) {
+    fn multiply(
+        &self,
+        registers: R,
+        q: &[T; M],
+        q_dot: &[T; M],
+        two_omega: [T; 3],
+        moments: &mut Moments<T, G>,
+    ) {
         let zero = T::zero();
         let mut even = [[zero; M]; 5];
         let mut odd = [[zero; M]; 3];
@@ -240,21 +251,21 @@ where
                 if EVEN {
                     for (sums, component) in even.iter_mut().zip(components) {
                         let component = T::constant(component);
-                        sums[mu] = component.multiply_add(q[nu], sums[mu]);
+                        sums[mu] = registers.multiply_add(component, q[nu], sums[mu]);
                         if nu > mu {
-                            sums[nu] = component.multiply_add(q[mu], sums[nu]);
+                            sums[nu] = registers.multiply_add(component, q[mu], sums[nu]);
                         }
                     }
                 }
                 if ODD && nu > mu {
                     let axes = axes.map(T::constant);
                     for (sums, axis) in odd.iter_mut().zip(axes) {
-                        sums[mu] = (-axis).multiply_add(q[nu], sums[mu]);
-                        sums[nu] = axis.multiply_add(q[mu], sums[nu]);
+                        sums[mu] = registers.multiply_add(-axis, q[nu], sums[mu]);
+                        sums[nu] = registers.multiply_add(axis, q[mu], sums[nu]);
                     }
                     let along = axes[0] * two_omega[0] + (axes[1] * two_omega[1] + axes[2] * two_omega[2]);
-                    whirl[mu] = (-along).multiply_add(q_dot[nu], whirl[mu]);
-                    whirl[nu] = along.multiply_add(q_dot[mu], whirl[nu]);
+                    whirl[mu] = registers.multiply_add(-along, q_dot[nu], whirl[mu]);
+                    whirl[nu] = registers.multiply_add(along, q_dot[mu], whirl[nu]);
                 }
             }
         }

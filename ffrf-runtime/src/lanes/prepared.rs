@@ -1,10 +1,10 @@
 //! What mechanisms, outputs and implicit steps need of a state.
 
-use super::LaneBody;
 use super::equations::State;
-use super::scalar::{Scalar, ungroup};
+use super::groups::ungroup;
+use super::{LaneBody, Scalar};
 
-impl<C: Copy, const M: usize, const G: usize, P> LaneBody<'_, C, M, G, P> {
+impl<C: Copy, const M: usize, const G: usize, P, R> LaneBody<'_, C, M, G, P, R> {
     /// m, m r, Θ_rr, rows of m B, rows of Θ_rf and Q: the parts of [`Prepared`](crate::Prepared) that loops compute.
     #[inline(always)]
     #[allow(clippy::type_complexity)] // the results of a kernel, one after another

@@ -8,14 +8,10 @@ use wide::{f32x4, f32x8, f64x4, f64x8};
 pub trait Lanes<T, const W: usize>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
-    /// Every lane zero.
-    fn zero() -> Self;
-    /// The numbers, one per lane.
-    fn load(numbers: &[T; W]) -> Self;
+    /// The numbers in a register like this one, one per lane.
+    fn like(self, numbers: &[T; W]) -> Self;
     /// The lanes as numbers.
     fn store(self) -> [T; W];
-    /// One number in every lane.
-    fn splat(number: T) -> Self;
     /// `self * factor + term`, fused where the target does that in hardware.
     fn multiply_add(self, factor: Self, term: Self) -> Self;
     /// `term - self * factor`, fused where the target does that in hardware.
@@ -30,8 +26,16 @@ pub trait Lanes<T, const W: usize>:
         T: Copy,
     {
         let lanes = self.store();
-        Self::load(&core::array::from_fn(|k| lanes[(k + by) % W]))
+        self.like(&core::array::from_fn(|k| lanes[(k + by) % W]))
     }
+}
+
+/// A register that the target has which the code is compiled for.
+pub trait Everywhere<T, const W: usize>: Lanes<T, W> {
+    /// The numbers, one per lane.
+    fn load(numbers: &[T; W]) -> Self;
+    /// One number in every lane.
+    fn splat(number: T) -> Self;
 }
 
 /// A register of four lanes, the group in which sums over modes are taken.
@@ -47,18 +51,18 @@ pub trait Four<T>: Lanes<T, 4> {
     {
         let neighbours = |left: Self, right: Self| {
             let ([a0, a1, a2, a3], [b0, b1, b2, b3]) = (left.store(), right.store());
-            (Self::load(&[a0, b0, a2, b2]) + Self::load(&[a1, b1, a3, b3])).store()
+            (left.like(&[a0, b0, a2, b2]) + left.like(&[a1, b1, a3, b3])).store()
         };
         let [a, b, c, d] = registers;
         let ([a0, b0, a2, b2], [c0, d0, c2, d2]) = (neighbours(a, b), neighbours(c, d));
-        (Self::load(&[a0, b0, c0, d0]) + Self::load(&[a2, b2, c2, d2])).store()
+        (a.like(&[a0, b0, c0, d0]) + a.like(&[a2, b2, c2, d2])).store()
     }
 }
 
 /// The register type of `W` lanes of a scalar.
 pub trait HasLanes<const W: usize>: Sized {
     /// The register.
-    type Lanes: Lanes<Self, W>;
+    type Lanes: Everywhere<Self, W>;
 }
 
 macro_rules! lanes {
@@ -69,23 +73,13 @@ macro_rules! lanes {
 
         impl Lanes<$scalar, $count> for $register {
             #[inline(always)]
-            fn zero() -> Self {
-                Self::new([0.0; $count])
-            }
-
-            #[inline(always)]
-            fn load(numbers: &[$scalar; $count]) -> Self {
+            fn like(self, numbers: &[$scalar; $count]) -> Self {
                 Self::new(*numbers)
             }
 
             #[inline(always)]
             fn store(self) -> [$scalar; $count] {
                 self.to_array()
-            }
-
-            #[inline(always)]
-            fn splat(number: $scalar) -> Self {
-                Self::new([number; $count])
             }
 
             #[inline(always)]
@@ -101,6 +95,18 @@ macro_rules! lanes {
             #[inline(always)]
             fn sum(self) -> $scalar {
                 self.reduce_add()
+            }
+        }
+
+        impl Everywhere<$scalar, $count> for $register {
+            #[inline(always)]
+            fn load(numbers: &[$scalar; $count]) -> Self {
+                Self::new(*numbers)
+            }
+
+            #[inline(always)]
+            fn splat(number: $scalar) -> Self {
+                Self::new([number; $count])
             }
         }
     )*};

@@ -43,7 +43,9 @@ pub(super) fn implementations(writer: &mut Writer, subject: &Subject<'_>, listin
                 if is_printed && is_in_place(signature) {
                     in_place::methods(writer, &types, interface, signature);
                 } else {
-                    method(writer, &types, interface, signature);
+                    let takes_registers =
+                        !is_printed && lanes::takes_registers(subject.lanes, subject.options.scalar);
+                    method(writer, &types, interface, signature, takes_registers);
                 }
             }
             more(writer);
@@ -52,6 +54,7 @@ pub(super) fn implementations(writer: &mut Writer, subject: &Subject<'_>, listin
     block(writer, Interface::FlexibleBody, &|writer| {
         stiffened(writer, subject);
         stable_step(writer, subject);
+        markers::bent_marker(writer, subject, &types.marker(), &types.modal());
     });
     writer.blank();
     block(writer, Interface::Observables, &|_| {});

@@ -1,5 +1,6 @@
 //! One method of a trait: it calls the function on arrays and wraps what goes in and comes out.
 
+use super::found_registers::on_registers;
 use crate::emit::Subject;
 use crate::emit::writer::{FunctionHead, Writer};
 use crate::expression::{Extent, Input};
@@ -108,10 +109,19 @@ fn is_modal_matrix(signature: &Signature) -> bool {
     signature.inputs.is_empty() && signature.outputs.iter().all(|output| shapes.contains(&output.shape))
 }
 
-/// Writes the method.
-pub(super) fn method(writer: &mut Writer, types: &Types, interface: Interface, signature: &Signature) {
+/// Writes the method; the function `takes_registers` that are found when running, or not.
+pub(super) fn method(
+    writer: &mut Writer,
+    types: &Types,
+    interface: Interface,
+    signature: &Signature,
+    takes_registers: bool,
+) {
     let mut inputs = vec!["&self".to_owned()];
     let mut values = Vec::new();
+    if takes_registers {
+        values.push("registers".to_owned());
+    }
     if types.has_parameters {
         values.push("self".to_owned());
     }
@@ -128,7 +138,7 @@ pub(super) fn method(writer: &mut Writer, types: &Types, interface: Interface, s
     writer.line("#[inline]");
     let result = types.result(interface, signature);
     let head = FunctionHead { name: signature.name, inputs: &inputs, result: &result, may_be_short: false };
-    writer.function(&head, |writer| match (interface, signature.outputs) {
+    let write = |writer: &mut Writer| match (interface, signature.outputs) {
         (Interface::FlexibleBody, [output]) if is_modal_matrix(signature) => {
             writer.line(match output.shape {
                 Shape::Symmetric(_) => format!("::ffrf::ModalMatrix::Dense(support::matrix({call}))"),
@@ -151,7 +161,8 @@ pub(super) fn method(writer: &mut Writer, types: &Types, interface: Interface, s
                 }
             });
         }
-    });
+    };
+    writer.function(&head, |writer| on_registers(writer, takes_registers, write));
 }
 
 /// A call, with an argument a line if there are several.

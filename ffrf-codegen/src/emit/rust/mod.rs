@@ -7,6 +7,7 @@
 //! ```
 
 mod check;
+mod found_registers;
 mod function;
 mod implementation;
 mod in_place;

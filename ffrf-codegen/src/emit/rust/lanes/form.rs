@@ -42,6 +42,24 @@ impl Form {
         }
     }
 
+    /// Whether the processor may have registers for these scalars that the code is not compiled for.
+    pub(super) fn finds_registers(self) -> bool {
+        self == Self::Plain
+    }
+
+    /// The generic parameters of a function over lanes.
+    pub(super) fn generics(self, scalar: ScalarType) -> String {
+        match self {
+            Self::Plain => format!("<R: support::lanes::Registers<{}>>", scalar.type_name()),
+            Self::Wrapped => scalar.generics().to_owned(),
+        }
+    }
+
+    /// The argument that says in which registers a function computes, if it can be asked to.
+    pub(super) fn registers(self) -> impl Iterator<Item = String> {
+        self.finds_registers().then(|| "registers: R".to_owned()).into_iter()
+    }
+
     pub(super) fn zero(self) -> &'static str {
         match self {
             Self::Plain => "0.0",

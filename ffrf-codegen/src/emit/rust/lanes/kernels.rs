@@ -40,12 +40,13 @@ fn function(writer: &mut Writer, loops: &Loops, definition: &Definition, run: Lo
     let (signature, modes, scalar) = (&definition.signature, loops.modes, loops.scalar);
     let form = Form::of(scalar);
     writer.documentation(documentation::of(signature, modes));
-    writer.line("#[inline]");
+    // What runs in registers that are found when running must be part of the code that is compiled for them.
+    writer.line(if form.finds_registers() { "#[inline(always)]" } else { "#[inline]" });
     let body = loops.body.iter().map(|name| format!("body: &{name}"));
     let inputs = signature.inputs.iter().map(|input| argument(*input, modes, scalar));
     let head = FunctionHead {
-        name: &format!("{}{}", signature.name, scalar.generics()),
-        inputs: &body.chain(inputs).collect::<Vec<_>>(),
+        name: &format!("{}{}", signature.name, form.generics(scalar)),
+        inputs: &form.registers().chain(body).chain(inputs).collect::<Vec<_>>(),
         result: &result_type(signature, modes, scalar),
         may_be_short: false,
     };
@@ -59,12 +60,13 @@ fn function(writer: &mut Writer, loops: &Loops, definition: &Definition, run: Lo
         let inputs = body.chain(rest.signature.inputs.iter().map(|input| input.name));
         format!("{}({})", rest.signature.name, inputs.collect::<Vec<_>>().join(", "))
     });
+    let moves = signature.inputs.contains(&Input::ANGULAR_VELOCITY);
+    let state = if moves { &loops.state } else { &loops.state_at_rest };
     writer.function(&head, |writer| {
         for statement in &loops.preparation {
             writer.line(statement);
         }
-        let moves = signature.inputs.contains(&Input::ANGULAR_VELOCITY);
-        writer.line(if moves { &loops.state } else { &loops.state_at_rest });
+        writer.line(state);
         form.result(writer, signature.outputs, &call, rest.as_deref());
     });
 }

@@ -6,10 +6,16 @@ mod parameters;
 mod state;
 mod tables;
 
+use self::form::Form;
 use super::method::Types;
 use crate::emit::writer::Writer;
 use crate::lanes::Lanes;
 use crate::{GenerateOptions, ScalarType};
+
+/// Whether the functions of the loops compute in `registers`, their first argument.
+pub(super) fn takes_registers(lanes: Option<&Lanes>, scalar: ScalarType) -> bool {
+    lanes.is_some() && Form::of(scalar).finds_registers()
+}
 
 /// The items that the loops read and the functions that run them.
 pub(super) fn functions(writer: &mut Writer, lanes: &Lanes, options: &GenerateOptions) {

@@ -23,13 +23,14 @@ pub(super) fn loops(lanes: &LaneParameters, options: &GenerateOptions) -> Loops 
     } else {
         form.net_force(&format!("&{}(body, q, q_dot)", INTERNAL_FORCE.signature.name))
     };
+    let on = if form.finds_registers() { "\nlet lanes = lanes.on(registers);" } else { "" };
     Loops {
         modes,
         scalar,
         body: Some(options.name.clone()),
         preparation: vec![
             "let tables = tables(body);".to_owned(),
-            "let lanes = tables.body(moments(body));".to_owned(),
+            format!("let lanes = tables.body(moments(body));{on}"),
         ],
         receiver: "lanes",
         state: evaluation(&form.value("omega"), q_dot.as_str()),

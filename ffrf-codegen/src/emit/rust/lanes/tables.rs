@@ -71,6 +71,7 @@ pub(super) fn statics(writer: &mut Writer, tables: &LaneTables, scalar: ScalarTy
     );
     writer.block(&head, "};", |writer| {
         for (field, value) in [
+            ("registers", "support::lanes::Compiled".to_owned()),
             ("mass", literal(tables.mass, scalar)),
             ("first_moment", list(tables.first_moment)),
             ("modal_first_moment", modal_first_moment),

@@ -72,6 +72,10 @@ typedef struct {
 typedef struct {
     real translation[3 * MODES];
     real rotation[3 * MODES];
+//@ if STRESSED
+    /* unit loads along and about the axes: what the modes do less per modal coordinate, matrix by matrix; or none */
+    const real *stressed;
+//@ end
 } marker_shape;
 
 //@ end
