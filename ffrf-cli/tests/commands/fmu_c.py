@@ -10,8 +10,10 @@ or energy.
 import csv
 import pathlib
 import shutil
+import subprocess
 import sys
 
+import fmpy
 import fmu_states
 import numpy
 from fmpy import extract, read_model_description, simulate_fmu
@@ -75,6 +77,13 @@ inside, found = compare(fmu)
 
 folder = extract(fmu)
 fmu_states.check(description, folder, step)
+
+# types and prototypes are those of the standard's own headers
+headers = pathlib.Path(fmpy.__file__).parent / "c-code"
+sources = pathlib.Path(folder) / "sources"
+files = [str(path) for path in sources.glob("*.c")]
+options = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-fsyntax-only", "-DFFRF_STANDARD_HEADERS"]
+subprocess.run(["cc", *options, f"-I{headers}", f"-I{sources}", *files], check=True)
 
 # compiled anew, by CMake as FMPy does it
 shutil.rmtree(pathlib.Path(folder) / "binaries")

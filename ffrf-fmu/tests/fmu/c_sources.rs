@@ -54,6 +54,11 @@ struct InC {
 
 /// The libraries of a scene, one by each compiler that is there.
 fn compiled(scene: &Unpacked, fmi: Fmi) -> Vec<(&'static str, Library, String)> {
+    compiled_with(scene, fmi, &[])
+}
+
+/// The same with more options.
+fn compiled_with(scene: &Unpacked, fmi: Fmi, options: &[&str]) -> Vec<(&'static str, Library, String)> {
     let sources = scene.model.c_sources(fmi, "part").unwrap();
     assert_eq!(sources, scene.model.c_sources(fmi, "part").unwrap());
     let folder = tempfile::tempdir().unwrap().keep();
@@ -71,6 +76,7 @@ fn compiled(scene: &Unpacked, fmi: Fmi) -> Vec<(&'static str, Library, String)> 
         let binary = format!("{compiler}.so");
         let run = Command::new(compiler)
             .args(FLAGS)
+            .args(options)
             .args(&names)
             .args(["-lm", "-o", &binary])
             .current_dir(&folder)
@@ -641,6 +647,19 @@ fn every_function_of_the_standards_is_there_in_c() {
             for name in names.split_whitespace() {
                 library.find(&format!("{prefix}{name}"));
             }
+        }
+    }
+}
+
+#[test]
+fn functions_in_c_have_a_name_before_theirs_if_that_is_asked_for() {
+    let scene = Unpacked::of_text(ROTOR);
+    for (fmi, option, name) in [
+        (Fmi::Three, "-DFMI3_FUNCTION_PREFIX=one_", "one_fmi3DoStep"),
+        (Fmi::Two, "-DFMI2_FUNCTION_PREFIX=one_", "one_fmi2DoStep"),
+    ] {
+        for (_, library, _) in compiled_with(&scene, fmi, &[option]) {
+            library.find(name);
         }
     }
 }
