@@ -124,3 +124,18 @@ fn a_simulation_may_begin_later() {
     // the integral of 3 t from 2 to 2.5
     near(rotor.get(scene.reference("rotor.angular_velocity.z")).unwrap(), 1.5 * (6.25 - 4.0) / INERTIA);
 }
+
+#[test]
+fn a_simulation_may_begin_before_zero_in_whole_steps_as_well() {
+    let scene = Unpacked::of_text(ROTOR);
+    let mut bits = Vec::new();
+    for start in [-2.0, 0.0] {
+        let mut rotor = scene.instance();
+        rotor.enter_initialisation(start).unwrap();
+        rotor.exit_initialisation().unwrap();
+        rotor.step(start, 0.5).unwrap();
+        bits.push(rotor.get(scene.reference("turn")).unwrap());
+    }
+    // fifty steps of a hundredth of a second, not one of half a second
+    near(bits[0], bits[1]);
+}

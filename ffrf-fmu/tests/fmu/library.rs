@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use ffrf_host::scene::Scene;
 use ffrf_host::simulate::simulate;
@@ -18,13 +18,18 @@ unsafe extern "C" {
 /// Symbols are bound when the library is opened, and stay its own.
 const RTLD_NOW: c_int = 2;
 
-struct Library(*mut c_void);
+/// A library that stays open.
+#[derive(Clone, Copy)]
+pub struct Library(*mut c_void);
 
 impl Library {
     /// The library that cargo has built with this test.
-    fn open() -> Self {
+    fn built() -> Self {
         let folder = std::env::current_exe().unwrap().parent().unwrap().to_path_buf();
-        let path = folder.join(format!("libffrf_fmu{}", std::env::consts::DLL_SUFFIX));
+        Self::open(&folder.join(format!("libffrf_fmu{}", std::env::consts::DLL_SUFFIX)))
+    }
+
+    pub fn open(path: &Path) -> Self {
         let name = CString::new(path.display().to_string()).unwrap();
         // SAFETY: a text that ends in a zero; the library runs no code of its own when it is opened.
         let library = unsafe { dlopen(name.as_ptr(), RTLD_NOW) };
@@ -32,7 +37,7 @@ impl Library {
         Self(library)
     }
 
-    fn find(&self, name: &str) -> *mut c_void {
+    pub fn find(&self, name: &str) -> *mut c_void {
         let text = CString::new(name).unwrap();
         // SAFETY: a library that is open, and a text that ends in a zero.
         let found = unsafe { dlsym(self.0, text.as_ptr()) };
@@ -49,8 +54,10 @@ macro_rules! function {
     }};
 }
 
+pub(crate) use function;
+
 thread_local! {
-    static MESSAGES: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+    pub static MESSAGES: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
 }
 
 unsafe extern "C" fn log(_: *mut c_void, status: c_int, _: *const c_char, message: *const c_char) {
@@ -60,7 +67,7 @@ unsafe extern "C" fn log(_: *mut c_void, status: c_int, _: *const c_char, messag
 }
 
 /// Functions of FMI 3.0 that every binary has (fmi3Functions.h).
-const FMI3: &str = "GetVersion SetDebugLogging InstantiateModelExchange InstantiateCoSimulation \
+pub const FMI3: &str = "GetVersion SetDebugLogging InstantiateModelExchange InstantiateCoSimulation \
     InstantiateScheduledExecution FreeInstance EnterInitializationMode ExitInitializationMode EnterEventMode Terminate Reset \
     GetFloat32 GetFloat64 GetInt8 GetUInt8 GetInt16 GetUInt16 GetInt32 GetUInt32 GetInt64 GetUInt64 GetBoolean GetString \
     GetBinary GetClock SetFloat32 SetFloat64 SetInt8 SetUInt8 SetInt16 SetUInt16 SetInt32 SetUInt32 SetInt64 SetUInt64 \
@@ -73,7 +80,7 @@ const FMI3: &str = "GetVersion SetDebugLogging InstantiateModelExchange Instanti
     GetNumberOfContinuousStates EnterStepMode GetOutputDerivatives DoStep ActivateModelPartition";
 
 /// Functions of FMI 2.0 for co-simulation (fmi2Functions.h).
-const FMI2: &str = "GetTypesPlatform GetVersion SetDebugLogging Instantiate FreeInstance SetupExperiment \
+pub const FMI2: &str = "GetTypesPlatform GetVersion SetDebugLogging Instantiate FreeInstance SetupExperiment \
     EnterInitializationMode ExitInitializationMode Terminate Reset GetReal GetInteger GetBoolean GetString SetReal SetInteger \
     SetBoolean SetString GetFMUstate SetFMUstate FreeFMUstate SerializedFMUstateSize SerializeFMUstate DeSerializeFMUstate \
     GetDirectionalDerivative SetRealInputDerivatives GetRealOutputDerivatives DoStep CancelStep GetStatus GetRealStatus \
@@ -81,7 +88,7 @@ const FMI2: &str = "GetTypesPlatform GetVersion SetDebugLogging Instantiate Free
 
 #[test]
 fn every_function_of_the_standards_is_there() {
-    let library = Library::open();
+    let library = Library::built();
     for name in FMI3.split_whitespace() {
         library.find(&format!("fmi3{name}"));
     }
@@ -105,7 +112,7 @@ type Instantiate = unsafe extern "C" fn(
     *const c_void,
 ) -> *mut c_void;
 
-fn instantiate(library: &Library, token: &str, folder: PathBuf) -> *mut c_void {
+pub fn instantiate(library: &Library, token: &str, folder: PathBuf) -> *mut c_void {
     // SAFETY: the type is that of the standard's headers.
     let function: Instantiate = unsafe { std::mem::transmute(library.find("fmi3InstantiateCoSimulation")) };
     let (token, folder) = (CString::new(token).unwrap(), CString::new(folder.display().to_string()).unwrap());
@@ -131,7 +138,7 @@ fn instantiate(library: &Library, token: &str, folder: PathBuf) -> *mut c_void {
 #[test]
 fn a_pendulum_by_its_functions_is_that_of_simulate() {
     let scene = Unpacked::of(&known("flexible_pendulum.toml"));
-    let library = Library::open();
+    let library = Library::built();
     let pendulum = instantiate(&library, &scene.model.token, scene.folder.path().to_path_buf());
     assert!(!pendulum.is_null());
     let enter = function!(
@@ -194,7 +201,7 @@ fn a_pendulum_by_its_functions_is_that_of_simulate() {
 #[test]
 fn resources_of_another_model_are_refused() {
     let scene = Unpacked::of(&known("flexible_pendulum.toml"));
-    let library = Library::open();
+    let library = Library::built();
     assert!(instantiate(&library, "another", scene.folder.path().to_path_buf()).is_null());
     assert!(instantiate(&library, &scene.model.token, PathBuf::from("/nowhere")).is_null());
     let messages = MESSAGES.with_borrow(Clone::clone);

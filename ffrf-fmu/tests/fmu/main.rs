@@ -1,6 +1,7 @@
 //! FMUs by the functions of their library and by their instances; `ffrf-cli/tests/commands/fmu.rs` has whole ones.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
+mod c_sources;
 mod inputs;
 mod library;
 mod refusals;

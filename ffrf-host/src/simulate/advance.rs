@@ -87,10 +87,10 @@ impl Advance {
     /// Before the first step.
     pub fn new(settings: &Settings, time: f64, state: States) -> Self {
         let (next_step, grid, time) = match settings.step {
-            // steps stand on a grid that begins at zero, if the state does
+            // steps stand on a grid that begins at zero, if the state does; before zero there is none
             StepChoice::Fixed(step) => {
                 let count = (time / step).round();
-                let on_grid = (time - count * step).abs() <= SAME_TIME * step;
+                let on_grid = count >= 0.0 && (time - count * step).abs() <= SAME_TIME * step;
                 if on_grid { (step, (0.0, count as u64), count * step) } else { (step, (time, 0), time) }
             }
             StepChoice::Tolerance(_) => (0.0, (time, 0), time),
