@@ -2,6 +2,7 @@
 # How busy a sweep of 1,020 configurations of the tumbling rod keeps the cores, and what it takes beside its runs.
 #
 #     benches/sweep_overhead.sh [FOLDER]        # a minute on two idle cores; on a busy machine only processor times say something
+#     FFRF=COMMAND benches/sweep_overhead.sh    # a command that is built already
 #
 # busy: processor time over wall time and cores, of the whole command, reference and writing included.
 # overhead: processor time that is neither the reference's nor the runs', over that of the runs, which table.csv has.
@@ -9,8 +10,8 @@
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 folder=${1:-$(mktemp -d)}
-cargo build --release --quiet --manifest-path "$here/Cargo.toml" -p ffrf-cli
-ffrf=${CARGO_TARGET_DIR:-$here/target}/release/ffrf
+ffrf=${FFRF:-${CARGO_TARGET_DIR:-$here/target}/release/ffrf}
+[ -n "${FFRF:-}" ] || cargo build --release --quiet --manifest-path "$here/Cargo.toml" -p ffrf-cli
 cores=$(getconf _NPROCESSORS_ONLN)
 steps=0.1,0.07,0.05,0.035,0.025,0.018,0.0125,0.009,0.0063,0.0045,0.0032,0.0023,0.0016,0.0011,0.0008,0.0006,0.0003
 scene=$here/models/scenes/tumbling_rod.toml

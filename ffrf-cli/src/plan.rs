@@ -61,7 +61,7 @@ pub fn make(path: &Path, options: &PlanOptions, measure: bool) -> Result<Planned
         let tolerance = TIGHTER * plan.reference.tolerance;
         let reference = Reference::compute(&study, &options.quantities, ReferenceOptions { tolerance })
             .with_context(in_scene)?;
-        let variant = study.variant(plan.configuration.modes, &plan.configuration.fidelity)?;
+        let variant = study.variant(&plan.configuration.modes, &plan.configuration.fidelity)?;
         let outcome = run_one(&study, &variant, &reference, &plan.configuration);
         text.push_str(&describe_measured(&outcome, &plan, options.error, reference.own_error()));
         measured = Some(outcome);

@@ -5,14 +5,14 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use anyhow::{Context, Result, bail};
-use ffrf_codegen::{DEFAULT_LAYOUT_TOLERANCE, ScalarType};
+use ffrf_codegen::ScalarType;
 use ffrf_host::scene::Integrator;
 use ffrf_host::tradeoff::{
-    Affordable, Operations, PlanOptions, PlanWithin, StepBudget, Study, plan_again_within, plan_within,
+    Operations, PlanOptions, PlanWithin, StepBudget, Study, plan_again_within, plan_within,
 };
 
-use crate::arguments::{self, Core, OnTarget, TargetIntegrator};
-use crate::budget::{MechanismProgram, StepOnTarget, Workshop, step_on_target};
+use crate::arguments::{self, Core, OnTarget};
+use crate::budget::{StepOnTarget, Workshop, configuration_on_target, of_fixed_cost};
 use crate::output;
 use crate::plan_within::{measured, tried_and_calls};
 use crate::report::chain;
@@ -94,7 +94,7 @@ pub fn run(arguments: &arguments::Plan, core: Core) -> Result<()> {
     let integrators =
         arguments.integrator.clone().unwrap_or(vec![Integrator::Rk4, Integrator::LinearlyImplicit]);
     for integrator in &integrators {
-        if on_target(*integrator).is_none() {
+        if of_fixed_cost(*integrator).is_none() {
             bail!(
                 "--integrator {}: the work of its step varies; expected rk4 or linearly_implicit with --target",
                 integrator.name()
@@ -124,7 +124,7 @@ pub fn run(arguments: &arguments::Plan, core: Core) -> Result<()> {
             }
             let (per_operation, _) = target.per_operation(one.configuration.scalar);
             let predicted = per_operation * one.operations;
-            let step = match count(&study, one, core, &workshop) {
+            let step = match configuration_on_target(&study, &one.configuration, core, &workshop) {
                 Ok(step) => step,
                 Err(error) => {
                     without_count = Some(chain(&error));
@@ -167,34 +167,10 @@ pub fn run(arguments: &arguments::Plan, core: Core) -> Result<()> {
     output::write(arguments.output.as_deref(), &text)
 }
 
-fn on_target(integrator: Integrator) -> Option<TargetIntegrator> {
-    match integrator {
-        Integrator::Rk4 => Some(TargetIntegrator::RungeKutta),
-        Integrator::LinearlyImplicit => Some(TargetIntegrator::LinearlyImplicit),
-        _ => None,
-    }
-}
-
-/// Builds and runs the program of a configuration.
-fn count(study: &Study, one: &Affordable, core: Core, workshop: &Workshop) -> Result<StepOnTarget> {
-    let configuration = &one.configuration;
-    let integrator = on_target(configuration.integrator).context("an integrator of fixed cost")?;
-    let program = MechanismProgram {
-        title: configuration.key(),
-        file: &study.file_with(configuration.modes, &configuration.fidelity),
-        folder: study.folder(),
-        scalar: configuration.scalar,
-        integrator,
-        step: Some(configuration.step),
-        layout_tolerance: DEFAULT_LAYOUT_TOLERANCE,
-    };
-    step_on_target(&program, core, workshop)
-}
-
 fn describe(title: &str, found: &PlanWithin, target: &Target, options: &OnTarget) -> String {
     let one = &found.best;
     let configuration = &one.configuration;
-    let (name, _) = target.core.clock();
+    let name = target.core.name();
     let (per_operation, is_counted) = target.per_operation(configuration.scalar);
     let predicted = per_operation * one.operations;
     let steps = match one.divisions {

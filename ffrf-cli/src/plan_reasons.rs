@@ -69,7 +69,7 @@ fn reason_of_mode(mode: &ModeUse, plan: &Plan) -> String {
         (true, true) => "it follows its load as if that were at rest",
         (true, false) => "its load is near its frequency or above: it vibrates",
     };
-    if mode.mode <= plan.configuration.modes {
+    if plan.configuration.modes.has(mode.mode - 1) {
         return format!("kept: {nature}; with fewer the error is {}", error_with_fewer(plan));
     }
     let correction = if is_static && is_moved { "; a static shape could stand for it" } else { "" };
@@ -85,14 +85,14 @@ fn error_of(plan: &Plan) -> String {
 
 /// The least error that was found with fewer modes.
 fn error_with_fewer(plan: &Plan) -> String {
-    let fewer = plan.models.iter().filter(|model| model.modes < plan.configuration.modes);
+    let fewer = plan.models.iter().filter(|model| model.modes.count() < plan.configuration.modes.count());
     let least = fewer.map(|model| model.error).fold(f64::INFINITY, f64::min);
     if least.is_finite() { format!("{least:.1e} or more") } else { "not allowed".to_owned() }
 }
 
 fn reason_of_term(term: &TermUse, plan: &Plan, budget: f64) -> String {
     let bound = term.largest_bound();
-    match (plan.configuration.modes, plan.configuration.fidelity.keeps(term.term)) {
+    match (plan.configuration.modes.count(), plan.configuration.fidelity.keeps(term.term)) {
         (0, _) => "kept as far as a rigid body has it".to_owned(),
         (_, true) if bound == 0.0 => "kept: the model does not have it, it costs nothing".to_owned(),
         (_, true) if bound <= budget => {
@@ -115,7 +115,7 @@ fn reason_of_term(term: &TermUse, plan: &Plan, budget: f64) -> String {
 
 fn describe_truncations(text: &mut String, plan: &Plan, budget: f64) {
     let dropped: Vec<&ModeUse> =
-        plan.motion.modes.iter().filter(|mode| mode.mode > plan.configuration.modes).collect();
+        plan.motion.modes.iter().filter(|mode| !plan.configuration.modes.has(mode.mode - 1)).collect();
     if dropped.is_empty() || plan.truncations.is_empty() {
         return;
     }

@@ -56,7 +56,7 @@ pub(crate) fn measured(study: &Study, found: &PlanWithin, budget: &StepBudget) -
     let tolerance = TIGHTER * found.reference.tolerance;
     let reference = Reference::compute(study, &budget.quantities, ReferenceOptions { tolerance })?;
     let one = &found.best.configuration;
-    let variant = study.variant(one.modes, &one.fidelity)?;
+    let variant = study.variant(&one.modes, &one.fidelity)?;
     Ok(match run_one(study, &variant, &reference, one).finding {
         Finding::Failed(reason) => format!("\nmeasured\n  failed: {reason}\n"),
         Finding::Finished(measured) => format!(

@@ -1,7 +1,7 @@
 //! One way to simulate a scene, by the names that the command uses.
 
 use ffrf_cli::tradeoff::{parse_fidelity, parse_integrator, parse_scalar};
-use ffrf_host::tradeoff::{Axes, Configuration as Host, Study};
+use ffrf_host::tradeoff::{Axes, Configuration as Host, Modes, Study};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
@@ -18,13 +18,41 @@ impl std::hash::Hash for Configuration {
     }
 }
 
+/// The first so many modes, or a list of them from 0.
+#[derive(FromPyObject, IntoPyObject)]
+pub enum ModesArgument {
+    First(usize),
+    Listed(Vec<usize>),
+}
+
+impl From<ModesArgument> for Modes {
+    fn from(given: ModesArgument) -> Self {
+        match given {
+            ModesArgument::First(count) => Self::first(count),
+            ModesArgument::Listed(modes) => Self::listed(modes),
+        }
+    }
+}
+
+impl From<&Modes> for ModesArgument {
+    fn from(modes: &Modes) -> Self {
+        match modes.list() {
+            None => Self::First(modes.count()),
+            Some(list) => Self::Listed(list.to_vec()),
+        }
+    }
+}
+
+/// What another process makes a configuration of.
+type Parts = (ModesArgument, String, String, String, f64);
+
 #[pymethods]
 impl Configuration {
     #[new]
     #[pyo3(signature = (modes, fidelity, scalar, integrator, step))]
-    fn new(modes: usize, fidelity: &str, scalar: &str, integrator: &str, step: f64) -> PyResult<Self> {
+    fn new(modes: ModesArgument, fidelity: &str, scalar: &str, integrator: &str, step: f64) -> PyResult<Self> {
         Ok(Self(Host {
-            modes,
+            modes: modes.into(),
             fidelity: parse_fidelity(fidelity).map_err(Error::new_err)?,
             scalar: parse_scalar(scalar).map_err(Error::new_err)?,
             integrator: parse_integrator(integrator).map_err(Error::new_err)?,
@@ -33,8 +61,8 @@ impl Configuration {
     }
 
     #[getter]
-    fn modes(&self) -> usize {
-        self.0.modes
+    fn modes(&self) -> ModesArgument {
+        (&self.0.modes).into()
     }
 
     #[getter]
@@ -71,7 +99,7 @@ impl Configuration {
         format!("<ffrf.Configuration {}>", self.0.key())
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, (usize, String, String, String, f64)) {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, Parts) {
         let one = slf.get();
         let names = (one.scalar().to_owned(), one.integrator().to_owned());
         (slf.get_type(), (one.modes(), one.fidelity(), names.0, names.1, one.step()))
@@ -82,7 +110,7 @@ impl Configuration {
 pub fn configurations(study: &Study, given: Given) -> PyResult<Vec<Configuration>> {
     let usual = Axes::usual(study);
     let axes = Axes {
-        modes: given.modes.unwrap_or(usual.modes),
+        modes: given.modes.map_or(usual.modes, |modes| modes.into_iter().map(Modes::from).collect()),
         fidelities: named(given.fidelity, usual.fidelities, parse_fidelity)?,
         scalars: named(given.scalar, usual.scalars, parse_scalar)?,
         integrators: named(given.integrator, usual.integrators, parse_integrator)?,
@@ -96,7 +124,7 @@ pub fn configurations(study: &Study, given: Given) -> PyResult<Vec<Configuration
 
 /// The axes that a user names.
 pub struct Given {
-    pub modes: Option<Vec<usize>>,
+    pub modes: Option<Vec<ModesArgument>>,
     pub fidelity: Option<Vec<String>>,
     pub scalar: Option<Vec<String>>,
     pub integrator: Option<Vec<String>>,

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use ffrf_cli::tradeoff::{Asked, Measure, Question};
-use ffrf_host::tradeoff::{Quantity, TradeoffError, Variant, run};
+use ffrf_host::tradeoff::{Modes, Quantity, TradeoffError, Variant, run};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
 use crate::arrays::{Array, array};
-use crate::configuration::{Configuration, Given, configurations, positive};
+use crate::configuration::{Configuration, Given, ModesArgument, configurations, positive};
 use crate::failure::{Error, exception, in_file};
 use crate::outcome::Outcome;
 
@@ -19,7 +19,7 @@ use crate::outcome::Outcome;
 pub struct Study {
     measure: Arc<Measure>,
     /// Scenes of so many modes and such terms, each composed when a run first asks for it.
-    variants: Mutex<BTreeMap<(usize, String), Arc<Variant>>>,
+    variants: Mutex<BTreeMap<(Modes, String), Arc<Variant>>>,
 }
 
 /// What another process makes the study of: scene, quantities, tolerance, reference and what it was taken of, as texts.
@@ -31,12 +31,12 @@ impl Study {
     }
 
     fn variant(&self, Configuration(one): &Configuration) -> Result<Arc<Variant>, TradeoffError> {
-        let key = (one.modes, one.fidelity.to_string());
+        let key = (one.modes.clone(), one.fidelity.to_string());
         let mut variants = self.variants.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = variants.get(&key) {
             return Ok(Arc::clone(known));
         }
-        let variant = Arc::new(self.measure.study.variant(one.modes, &one.fidelity)?);
+        let variant = Arc::new(self.measure.study.variant(&one.modes, &one.fidelity)?);
         variants.insert(key, Arc::clone(&variant));
         Ok(variant)
     }
@@ -95,7 +95,7 @@ impl Study {
     #[pyo3(signature = (*, modes=None, fidelity=None, scalar=None, integrator=None, step=None))]
     fn configurations(
         &self,
-        modes: Option<Vec<usize>>,
+        modes: Option<Vec<ModesArgument>>,
         fidelity: Option<Vec<String>>,
         scalar: Option<Vec<String>>,
         integrator: Option<Vec<String>>,

@@ -2,8 +2,8 @@
 ffrf::flexible_body! {
     pub struct Rod {
         model: "models/conrod.ffrf.json",
-        modes: ..8,
-        fidelity: constant,
+        modes: [1, 4, 5],
+        fidelity: linear,
     }
 }
 ffrf::mechanism! {

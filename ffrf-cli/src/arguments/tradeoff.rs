@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use ffrf_codegen::{Fidelity, ScalarType};
 use ffrf_host::scene::Integrator;
-use ffrf_host::tradeoff::Quantity;
+use ffrf_host::tradeoff::{Modes, Quantity};
 
 use super::Core;
 
@@ -17,9 +17,10 @@ pub struct Tradeoff {
     /// Write everything into this folder; a sweep that was interrupted goes on there.
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
-    /// Numbers of modes, of every flexible body that has so many (default: 0, 1, 2, 4, 8, ... and all).
+    /// Modes of every flexible body that has them: numbers of the first ones, and lists from 0 in brackets, as `0,2,[0+5]`
+    /// (default: 0, 1, 2, 4, 8, ... and all).
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub modes: Option<Vec<usize>>,
+    pub modes: Option<Vec<Modes>>,
     /// Fidelities (default: constant, linear, full).
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_fidelity)]
     pub fidelity: Option<Vec<Fidelity>>,
@@ -38,6 +39,16 @@ pub struct Tradeoff {
     /// Relative tolerance per step of the reference, which has all modes and terms.
     #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-10, value_parser = parse_positive)]
     pub reference_tolerance: f64,
+    /// Also count what a step of each configuration takes of these cores: instructions, bytes of code, data and stack. A program
+    /// is built for each number of modes, fidelity, scalar and integrator (rk4, linearly_implicit) and run in the emulator.
+    #[arg(long, value_name = "CORE,...", value_delimiter = ',')]
+    pub target: Vec<Core>,
+    /// Folder of the ffrf sources, whose `firmware/` has what programs on the target need (with --target).
+    #[arg(long, value_name = "FOLDER", default_value = ".", requires = "target")]
+    pub sources: PathBuf,
+    /// Where programs are written and built (with --target; default: firmware/target/budget in the sources).
+    #[arg(long, value_name = "FOLDER", requires = "target")]
+    pub folder: Option<PathBuf>,
     /// Runs at a time (default: one for each core).
     #[arg(long, value_name = "COUNT", value_parser = parse_count)]
     pub threads: Option<usize>,

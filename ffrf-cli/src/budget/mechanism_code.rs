@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use anyhow::{Result, bail};
 use ffrf_host::mechanism::ElementKind;
-use ffrf_host::scene::Scene;
 use ffrf_host::scene::file::{ForceTable, FunctionValue, JointTable, SceneFile, Vector};
+use ffrf_host::scene::{ModesValue, Scene};
 
 /// The type of each body: `None` where numbers in the macro say everything.
 pub type BodyTypes = [Option<String>];
@@ -22,7 +22,8 @@ pub fn invocation(file: &SceneFile, scene: &Scene, types: &BodyTypes, scalar: &s
         let free = if writer.is_held(name) { "" } else { "free " };
         let _ = match (type_name, table.mass, table.inertia) {
             (Some(type_name), ..) => {
-                let rigid = if table.modes == Some(0) { "rigid " } else { "" };
+                let rigid =
+                    if table.modes.as_ref().is_some_and(ModesValue::is_rigid) { "rigid " } else { "" };
                 writeln!(text, "            body_{number}: {free}{rigid}{type_name},")
             }
             (None, Some(mass), Some(inertia)) => writeln!(

@@ -3,6 +3,7 @@
 //! A small program is written, built and run for each core and scalar. It links only if no panic is reachable and nothing
 //! allocates. Needs cargo with the target thumbv7em-none-eabihf and qemu-system-arm; `firmware/run.sh` sets both up.
 
+mod configuration;
 mod elf;
 mod emulator;
 mod mechanism_code;
@@ -17,10 +18,10 @@ use ffrf_codegen::ScalarType;
 
 use crate::arguments::{Budget, Core, TargetScalar};
 use crate::output;
+pub(crate) use configuration::{configuration_on_target, of_fixed_cost};
 use elf::Program;
 use emulator::{Run, build, emulate};
-pub(crate) use program::MechanismProgram;
-use program::Subject;
+use program::{MechanismProgram, Subject};
 
 /// The function of the program that takes a step.
 const STEP: &str = "measured_step";
@@ -104,11 +105,7 @@ pub(crate) struct StepOnTarget {
 
 /// Writes, builds and runs the program of a mechanism. Errors: the scene has no counterpart in the macro, the tools for the
 /// target are not there, or more stack was touched than the bound.
-pub(crate) fn step_on_target(
-    program: &MechanismProgram<'_>,
-    core: Core,
-    workshop: &Workshop,
-) -> Result<StepOnTarget> {
+fn step_on_target(program: &MechanismProgram<'_>, core: Core, workshop: &Workshop) -> Result<StepOnTarget> {
     let subject = program::mechanism(program)?;
     let found = measure(&subject, core, workshop, USUAL_LEVEL)?;
     let stack = found.run.most_stack();

@@ -122,7 +122,7 @@ pub fn mechanism(program: &MechanismProgram<'_>) -> Result<Subject> {
         }
         let type_name = format!("Body{}", made.len());
         let mut options = options(&type_name, scalar, layout_tolerance);
-        options.modes = table.modes.map(ModeSelection::First);
+        options.modes = table.modes.as_ref().map(|modes| modes.0.clone());
         if let Some(fidelity) = &table.fidelity {
             options.fidelity = match fidelity {
                 FidelityValue::Level(level) => level.parse()?,

@@ -18,6 +18,11 @@ machine code can take along its deepest way of calls. No program here can alloca
 const TICK: f64 = 1e3;
 
 impl Core {
+    /// Its name on the command line.
+    pub(crate) fn name(self) -> &'static str {
+        self.clock().0
+    }
+
     /// Name, and a clock that is usual for it. Units: MHz.
     pub(crate) fn clock(self) -> (&'static str, f64) {
         match self {

@@ -8,11 +8,13 @@ mod saved;
 mod store;
 mod sweep;
 mod table;
+mod target_counts;
 
 use anyhow::Result;
-use ffrf_host::tradeoff::{Axes, Done, Finding, Study};
+use ffrf_host::tradeoff::{Axes, Done, Finding, Outcome, Study};
 
 use crate::arguments::Tradeoff;
+use crate::budget::Workshop;
 use crate::output;
 use crate::progress::ShareTeller;
 
@@ -39,6 +41,7 @@ pub fn run(arguments: &Tradeoff) -> Result<()> {
     });
     teller.end();
     let outcomes = outcomes?;
+    let counted = count(&sweep, &outcomes, arguments);
     let page = sweep.write(&outcomes)?;
     let failed = outcomes.iter().filter(|outcome| matches!(outcome.finding, Finding::Failed(_))).count();
     output::say(&format!(
@@ -47,7 +50,23 @@ pub fn run(arguments: &Tradeoff) -> Result<()> {
         known.len(),
         crate::trade_text::describe_reference(&sweep.measure().reference),
         page.display()
-    ))
+    ))?;
+    // what was swept is written all the same
+    counted
+}
+
+/// Counts on the cores that are asked for.
+fn count(sweep: &Sweep, outcomes: &[Outcome], arguments: &Tradeoff) -> Result<()> {
+    let workshop = Workshop { sources: arguments.sources.clone(), folder: arguments.folder.clone() };
+    for core in &arguments.target {
+        let teller = ShareTeller::new("programs");
+        let counted = sweep.count(outcomes, *core, &workshop, &mut |done, total| {
+            teller.tell(done as f64 / total as f64, &format!("{done} of {total} on {}", core.name()));
+        });
+        teller.end();
+        counted?;
+    }
+    Ok(())
 }
 
 /// How many runs go at a time where nobody says it.

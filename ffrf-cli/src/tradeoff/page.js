@@ -10,10 +10,18 @@ const COSTS = {
   operations_per_step: "operations of compiled code per step",
 };
 const SHORT = { operations: "operations per second", time: "processor time", operations_per_step: "operations per step" };
+data.cores.forEach((core, k) => {
+  COSTS[`core ${k}`] = `instructions of ${core} per simulated second, counted`;
+  SHORT[`core ${k}`] = `instructions of ${core} per second`;
+});
+const onCore = (row, k) => row.found.on_cores[k] || undefined;
 const values = {};
 for (const axis of AXES) {
   values[axis] = [...new Set(data.rows.map((row) => row[axis]))];
-  if (axis === "modes") values[axis].sort((a, b) => a - b);
+  if (axis === "modes") {
+    const count = (modes) => data.rows.find((row) => row.modes === modes).mode_count;
+    values[axis].sort((a, b) => count(a) - count(b) || a.localeCompare(b));
+  }
 }
 const state = { hidden: {}, cost: "operations", quantity: -1, colour: "integrator", sort: "cost", down: false, marked: null };
 for (const axis of AXES) state.hidden[axis] = new Set();
@@ -31,12 +39,17 @@ function make(node, attributes, children) {
 const short = (x) => (x === 0 ? "0" : Math.abs(x) >= 0.01 && Math.abs(x) < 10000 ? String(Number(x.toPrecision(3))) : x.toExponential(2));
 const colourOf = (row) => COLOURS[values[state.colour].indexOf(row[state.colour]) % COLOURS.length];
 const errorOf = (row) => (state.quantity < 0 ? Math.max(...row.found.errors) : row.found.errors[state.quantity]);
-const costOf = (row) => row.found[state.cost];
+const costBy = (row, cost) => {
+  const core = cost.startsWith("core ") ? Number(cost.slice(5)) : -1;
+  return core < 0 ? row.found[cost] : onCore(row, core)?.instructions_per_second;
+};
+const costOf = (row) => costBy(row, state.cost);
 const visible = (row) => AXES.every((axis) => !state.hidden[axis].has(row[axis]));
 const lineOf = (row) => AXES.map((axis) => row[axis]).join("|");
 
 function front(rows) {
-  const sorted = [...rows].sort((a, b) => costOf(a) - costOf(b) || errorOf(a) - errorOf(b));
+  // what a core cannot count, as integrators whose work varies, has no cost there
+  const sorted = rows.filter((row) => costOf(row) !== undefined).sort((a, b) => costOf(a) - costOf(b) || errorOf(a) - errorOf(b));
   let best = Infinity;
   return sorted.filter((row) => {
     const better = errorOf(row) < best;
@@ -151,7 +164,7 @@ function picture(rows, best) {
     circle.append(svg("title", {}, `${row.modes} modes, ${row.fidelity}, ${row.scalar}, ${row.integrator}, step ${short(row.step)} s`));
     canvas.append(circle);
   }
-  box.append(canvas, tip, html("p", { class: "hint" }, "Filled: f64, hollow: f32. Thin lines join runs that differ in the step alone; the dark staircase is the Pareto front of what is shown: nothing is both cheaper and more exact. Time and operations are per simulated second; instructions and stack are estimates."));
+  box.append(canvas, tip, html("p", { class: "hint" }, "Filled: f64, hollow: f32. Thin lines join runs that differ in the step alone; the dark staircase is the Pareto front of what is shown: nothing is both cheaper and more exact. Time and operations are per simulated second; instructions and stack are estimates" + (data.cores.length > 0 ? ", those of a core counted in its emulator." : "; `--target CORE` counts them, and bytes of code, on a core.")));
 }
 
 function mark(row) {
@@ -160,7 +173,7 @@ function mark(row) {
 }
 
 const COLUMNS = [
-  ["modes", "modes", (row) => row.modes, (row) => row.modes],
+  ["modes", "modes", (row) => row.mode_count, (row) => row.modes],
   ["fidelity", "fidelity", (row) => row.fidelity, (row) => row.fidelity, "word"],
   ["scalar", "scalar", (row) => row.scalar, (row) => row.scalar, "word"],
   ["integrator", "integrator", (row) => row.integrator, (row) => row.integrator, "word"],
@@ -172,6 +185,8 @@ const COLUMNS = [
   ["instructions", "instructions / step", (row) => row.found.instructions_per_step, (row) => short(row.found.instructions_per_step)],
   ["data", "data / B", (row) => row.found.data, (row) => row.found.data],
   ["stack", "stack / B", (row) => row.found.stack, (row) => row.found.stack],
+  ...data.cores.flatMap((core, k) => [["instructions", "instructions / step"], ["code", "code / B"], ["data", "data / B"], ["stack", "stack / B"]].map(([key, title]) =>
+    [`${k} ${key}`, `${core}: ${title}`, (row) => onCore(row, k)?.[key] ?? Infinity, (row) => onCore(row, k)?.[key] ?? ""])),
 ];
 
 function table(rows, best) {

@@ -5,6 +5,7 @@ use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 use serde::Serialize;
 
 use super::row::Row;
+use super::target_counts::TargetCounts;
 use crate::markup::escaped;
 use crate::trade_text::describe_reference;
 
@@ -16,6 +17,8 @@ struct Data<'a> {
     title: &'a str,
     channels: Vec<ChannelData<'a>>,
     own_error: f64,
+    /// Names of the cores that something was counted on.
+    cores: Vec<&'a str>,
     rows: Vec<RowData>,
 }
 
@@ -29,7 +32,8 @@ struct ChannelData<'a> {
 
 #[derive(Serialize)]
 struct RowData {
-    modes: usize,
+    modes: String,
+    mode_count: usize,
     fidelity: String,
     scalar: &'static str,
     integrator: &'static str,
@@ -50,10 +54,22 @@ struct FoundData {
     instructions_per_step: f64,
     data: usize,
     stack: usize,
+    /// For each core what was counted, if it was.
+    on_cores: Vec<Option<CoreData>>,
+}
+
+#[derive(Serialize)]
+struct CoreData {
+    instructions: u64,
+    /// Per simulated second.
+    instructions_per_second: f64,
+    code: u64,
+    data: u64,
+    stack: u64,
 }
 
 /// The page.
-pub fn html(title: &str, reference: &Reference, rows: &[Row<'_>]) -> Result<String> {
+pub fn html(title: &str, reference: &Reference, rows: &[Row<'_>], counts: &TargetCounts) -> Result<String> {
     let channels = reference.channels.iter().zip(&reference.scales).zip(&reference.own_errors);
     let data = Data {
         title,
@@ -66,7 +82,8 @@ pub fn html(title: &str, reference: &Reference, rows: &[Row<'_>]) -> Result<Stri
             })
             .collect(),
         own_error: reference.own_error(),
-        rows: rows.iter().map(row_data).collect(),
+        cores: counts.cores().collect(),
+        rows: rows.iter().map(|row| row_data(row, counts)).collect(),
     };
     // inside a script element only the end of one must not stand
     let json = serde_json::to_string(&data)?.replace('<', "\\u003c");
@@ -83,7 +100,7 @@ pub fn html(title: &str, reference: &Reference, rows: &[Row<'_>]) -> Result<Stri
     ))
 }
 
-fn row_data(row: &Row<'_>) -> RowData {
+fn row_data(row: &Row<'_>, counts: &TargetCounts) -> RowData {
     let one = &row.outcome.configuration;
     let failure = match &row.outcome.finding {
         Finding::Failed(reason) => Some(reason.clone()),
@@ -98,9 +115,24 @@ fn row_data(row: &Row<'_>) -> RowData {
         instructions_per_step: INSTRUCTIONS_PER_OPERATION * measured.operations_per_step(),
         data: row.outcome.data_bytes().unwrap_or(0),
         stack: row.outcome.stack_bytes().unwrap_or(0),
+        on_cores: counts
+            .cores()
+            .map(|core| {
+                let cost = counts.cost(core, one)?;
+                let per_second = cost.instructions as f64 / measured.step;
+                Some(CoreData {
+                    instructions: cost.instructions,
+                    instructions_per_second: per_second,
+                    code: cost.code,
+                    data: cost.data(),
+                    stack: cost.stack,
+                })
+            })
+            .collect(),
     });
     RowData {
-        modes: one.modes,
+        modes: one.modes.to_string(),
+        mode_count: one.modes.count(),
         fidelity: one.fidelity.to_string(),
         scalar: one.scalar.name(),
         integrator: one.integrator.name(),

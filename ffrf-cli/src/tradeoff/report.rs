@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::Result;
 use ffrf_host::tradeoff::{Outcome, Reference};
 
+use super::target_counts::TargetCounts;
 use super::{page, row, table};
 use crate::{output, plots};
 
@@ -12,11 +13,17 @@ use crate::{output, plots};
 pub const PAGE: &str = "report.html";
 
 /// Tables, pictures and the page.
-pub fn write_all(folder: &Path, title: &str, reference: &Reference, outcomes: &[Outcome]) -> Result<()> {
+pub fn write_all(
+    folder: &Path,
+    title: &str,
+    reference: &Reference,
+    outcomes: &[Outcome],
+    counts: &TargetCounts,
+) -> Result<()> {
     let rows = row::rows(outcomes);
     let write = |name: &str, text: &str| output::write(Some(&folder.join(name)), text);
-    write("table.txt", &table::text(title, reference, &rows))?;
-    write("table.csv", &table::csv(reference, &rows))?;
+    write("table.txt", &table::text(title, reference, &rows, counts))?;
+    write("table.csv", &table::csv(reference, &rows, counts))?;
     for (name, cost) in [("time", plots::COST_TIME), ("operations", plots::COST_OPERATIONS)] {
         let points: Vec<plots::TradePoint> = rows
             .iter()
@@ -50,5 +57,5 @@ pub fn write_all(folder: &Path, title: &str, reference: &Reference, outcomes: &[
         )?;
         write(&format!("pareto_{name}.svg"), &plots::draw_pareto(title, cost, &points, own)?)?;
     }
-    write(PAGE, &page::html(title, reference, &rows)?)
+    write(PAGE, &page::html(title, reference, &rows, counts)?)
 }

@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Error, Result};
 use ffrf_host::tradeoff::{
-    Channel, Configuration, Finding, History, Measured, Outcome, Reference, StaticCost,
+    Channel, Configuration, Finding, History, Measured, Modes, Outcome, Reference, StaticCost,
 };
 use serde::{Deserialize, Serialize};
 
@@ -42,7 +42,7 @@ pub fn reference_from_json(text: &str, channels: Vec<Channel>) -> Result<Referen
 pub fn outcome_to_json(outcome: &Outcome) -> serde_json::Result<String> {
     let Configuration { modes, fidelity, scalar, integrator, step } = &outcome.configuration;
     serde_json::to_string(&SavedRun {
-        modes: *modes,
+        modes: modes.into(),
         fidelity: fidelity.to_string(),
         scalar: scalar.name().to_owned(),
         integrator: integrator.name().to_owned(),
@@ -57,7 +57,8 @@ pub fn outcome_from_json(text: &str) -> Result<Outcome> {
     let scalar = parse_scalar(&saved.scalar).map_err(Error::msg)?;
     let integrator = parse_integrator(&saved.integrator).map_err(Error::msg)?;
     let fidelity = saved.fidelity.parse()?;
-    let configuration = Configuration { modes: saved.modes, fidelity, scalar, integrator, step: saved.step };
+    let configuration =
+        Configuration { modes: saved.modes.into(), fidelity, scalar, integrator, step: saved.step };
     Ok(Outcome { configuration, finding: saved.finding.into() })
 }
 
@@ -75,12 +76,37 @@ struct SavedReference {
 
 #[derive(Serialize, Deserialize)]
 struct SavedRun {
-    modes: usize,
+    modes: SavedModes,
     fidelity: String,
     scalar: String,
     integrator: String,
     step: f64,
     finding: SavedFinding,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum SavedModes {
+    First(usize),
+    Listed(Vec<usize>),
+}
+
+impl From<&Modes> for SavedModes {
+    fn from(modes: &Modes) -> Self {
+        match modes.list() {
+            None => Self::First(modes.count()),
+            Some(list) => Self::Listed(list.to_vec()),
+        }
+    }
+}
+
+impl From<SavedModes> for Modes {
+    fn from(saved: SavedModes) -> Self {
+        match saved {
+            SavedModes::First(count) => Self::first(count),
+            SavedModes::Listed(list) => Self::listed(list),
+        }
+    }
 }
 
 #[derive(Serialize, Deserialize)]

@@ -1,7 +1,7 @@
 //! What a sweep keeps in its folder, so that one that was killed goes on where it was.
 //!
 //! `study.json` says what was asked, `reference.json` holds the reference, `runs/KEY.jsonl` outcomes, one a line: those
-//! that had come when the file before was safe. Every file is whole or not there.
+//! that had come when the file before was safe, `target.json` what was counted on cores. Every file is whole or not there.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -12,9 +12,12 @@ use ffrf_host::tradeoff::{Channel, Configuration, Outcome, Reference};
 
 use super::asked::Asked;
 use super::saved::{outcome_from_json, outcome_to_json, reference_from_json, reference_to_json};
+use super::target_counts::TargetCounts;
 
 /// Where outcomes are, in the folder of a sweep.
 const RUNS: &str = "runs";
+/// Where counts on cores are.
+const TARGET: &str = "target.json";
 
 /// The folder of a sweep.
 pub struct Store {
@@ -89,6 +92,20 @@ impl Store {
         }
         let name = format!("{}.jsonl", first.configuration.key());
         ffrf_model::write_file(self.folder.join(RUNS).join(name), text.as_bytes())
+    }
+
+    /// What was counted on cores.
+    pub fn target_counts(&self) -> Result<TargetCounts> {
+        let file = self.folder.join(TARGET);
+        if !file.exists() {
+            return Ok(TargetCounts::default());
+        }
+        serde_json::from_str(&read(&file)?).with_context(|| format!("{}", file.display()))
+    }
+
+    /// Keeps what was counted on cores.
+    pub fn keep_target_counts(&self, counts: &TargetCounts) -> Result<()> {
+        write(&self.folder.join(TARGET), &serde_json::to_string(counts)?)
     }
 }
 

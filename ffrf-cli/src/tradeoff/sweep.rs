@@ -12,7 +12,9 @@ use ffrf_host::tradeoff::{
 
 use super::asked::Asked;
 use super::store::Store;
-use super::{report, saved};
+use super::{report, saved, target_counts};
+use crate::arguments::Core;
+use crate::budget::Workshop;
 
 /// What is swept: a scene, the quantities in which errors are taken, and the tolerance of the reference.
 #[derive(Debug, Clone, PartialEq)]
@@ -145,11 +147,28 @@ impl Sweep {
         outcomes.with_context(|| question.context())
     }
 
+    /// Counts on a core what a step of these configurations takes, where it is not counted yet. `told`: how many programs are
+    /// done, of how many.
+    ///
+    /// Errors: see [`target_counts::count`].
+    pub(crate) fn count(
+        &self,
+        outcomes: &[Outcome],
+        core: Core,
+        workshop: &Workshop,
+        told: &mut dyn FnMut(usize, usize),
+    ) -> Result<()> {
+        let counts = self.store.target_counts()?;
+        let mut keep = |counts: &_| self.store.keep_target_counts(counts);
+        target_counts::count(&self.measure.study, outcomes, (core, workshop), counts, &mut keep, told)
+    }
+
     /// Writes tables, pictures and the page, which it gives the name of.
     pub fn write(&self, outcomes: &[Outcome]) -> Result<PathBuf> {
         let scene = &self.measure.question.scene;
         let title = scene.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        report::write_all(&self.folder, &title, &self.measure.reference, outcomes)?;
+        let counts = self.store.target_counts()?;
+        report::write_all(&self.folder, &title, &self.measure.reference, outcomes, &counts)?;
         Ok(self.folder.join(report::PAGE))
     }
 }

@@ -5,10 +5,11 @@ use std::fmt::Write as _;
 use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 
 use super::row::Row;
+use super::target_counts::{TargetCost, TargetCounts, lines};
 use crate::trade_text::describe_reference;
 
 /// A table for people, the cheapest first; what failed stands at its end.
-pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>]) -> String {
+pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>], counts: &TargetCounts) -> String {
     let mut text = format!("{title}\n\n{}\n", describe_reference(reference));
     text.push_str(LEGEND);
     let _ = writeln!(
@@ -70,6 +71,9 @@ pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>]) -> String {
             );
         }
     }
+    for core in counts.cores() {
+        text.push_str(&lines(core, counts, rows.iter().map(|row| row.outcome)));
+    }
     text
 }
 
@@ -82,15 +86,27 @@ operations: floating-point operations of compiled code per simulated second, and
 instr.: instructions per step, estimated from the operations
 data: numbers of the bodies, counted; stack: estimated
 front: no other is both cheaper and more exact
+bytes of code, and instructions, data and stack of a whole program, are measured on a core alone: --target CORE
 ";
 
+/// What is counted on a core, in `table.csv` behind its name: code without the program's frame, data kept between steps (tables,
+/// model and state), stack that a step touches and at most can.
+const ON_A_CORE: [&str; 5] =
+    ["instructions_per_step", "code_bytes", "data_bytes", "stack_bytes", "stack_bytes_at_most"];
+
 /// Every outcome as a line of comma-separated values.
-pub fn csv(reference: &Reference, rows: &[Row<'_>]) -> String {
+pub fn csv(reference: &Reference, rows: &[Row<'_>], counts: &TargetCounts) -> String {
     let mut text = String::from(
         "modes,fidelity,scalar,integrator,longest_step,step,steps,error,time_per_second,operations_per_second,\
          evaluations_per_step,operations_per_step,instructions_per_step_estimated,data_bytes,stack_bytes_estimated,\
          front_time,front_operations",
     );
+    let cores: Vec<&str> = counts.cores().collect();
+    for core in &cores {
+        for column in ON_A_CORE {
+            let _ = write!(text, ",{core}.{column}");
+        }
+    }
     for channel in &reference.channels {
         let _ = write!(text, ",error.{}", channel.name);
     }
@@ -99,14 +115,9 @@ pub fn csv(reference: &Reference, rows: &[Row<'_>]) -> String {
         let one = &row.outcome.configuration;
         // a list of terms has commas
         let fidelity = one.fidelity.to_string().replace(", ", "+");
-        let _ = write!(
-            text,
-            "{},{fidelity},{},{},{:e}",
-            one.modes,
-            one.scalar.name(),
-            one.integrator.name(),
-            one.step
-        );
+        let modes = one.modes.to_string().replace(", ", "+");
+        let _ =
+            write!(text, "{modes},{fidelity},{},{},{:e}", one.scalar.name(), one.integrator.name(), one.step);
         match &row.outcome.finding {
             Finding::Finished(measured) => {
                 let _ = write!(
@@ -125,13 +136,25 @@ pub fn csv(reference: &Reference, rows: &[Row<'_>]) -> String {
                     u8::from(row.on_front[0]),
                     u8::from(row.on_front[1])
                 );
+                for core in &cores {
+                    match counts.cost(core, one) {
+                        Some(cost) => {
+                            let TargetCost { instructions, code, stack, stack_bound, .. } = cost;
+                            let bound = stack_bound.map_or(String::new(), |bound| bound.to_string());
+                            let data = cost.data();
+                            let _ = write!(text, ",{instructions},{code},{data},{stack},{bound}");
+                        }
+                        None => text.push_str(&",".repeat(ON_A_CORE.len())),
+                    }
+                }
                 for error in &measured.errors {
                     let _ = write!(text, ",{error:e}");
                 }
                 text.push_str(",\n");
             }
             Finding::Failed(reason) => {
-                text.push_str(&",".repeat(13 + reference.channels.len()));
+                let columns = 13 + ON_A_CORE.len() * cores.len() + reference.channels.len();
+                text.push_str(&",".repeat(columns));
                 let _ = writeln!(text, "\"{}\"", ffrf_model::printable(reason).replace('"', "\"\""));
             }
         }

@@ -212,3 +212,62 @@ fn another_scene_in_the_same_folder_and_unknown_quantities_are_refused() {
     bench.run("tradeoff scene.toml -o out --step=-1").failed(2, &["positive"]);
     bench.run("tradeoff scene.toml -o out --scalar=generic").failed(2, &["f64 or f32"]);
 }
+
+/// What was counted on cores stands beside the runs of its programs, whatever their steps; the rest of the sweep does not wait
+/// for tools that are not there.
+#[test]
+fn counts_on_a_core_are_columns_of_the_runs_and_are_asked_for_after_them() {
+    let bench = Workbench::new();
+    write_scene(&bench);
+    let grid = [
+        "--modes=0,[0+3]",
+        "--fidelity=full",
+        "--scalar=f32",
+        "--integrator=rk4,generalized_alpha",
+        "--step=2e-2,1e-3",
+        "--reference-tolerance=1e-6",
+        "--quantity=tip",
+    ];
+    let with = |more: &[&str]| {
+        let mut arguments = vec!["tradeoff", "scene.toml", "-o", "out"];
+        arguments.extend(grid);
+        arguments.extend(more);
+        bench.run_words(arguments)
+    };
+    with(&["--target=cortex-m7", "--sources=nowhere"]).failed(1, &["cortex-m7", "--sources nowhere"]);
+    let before = columns(&bench.path("out/table.csv"));
+    assert!(before.keys().all(|name| !name.contains("cortex")));
+    assert_eq!(before["modes"].iter().filter(|modes| *modes == "[0+3]").count(), 4);
+    // as it is kept after a count
+    bench.write(
+        "out/target.json",
+        r#"{"cortex-m7":{
+            "m.0.3-full-f32-rk4":{"counted":{"instructions":20000,"code":9000,"tables":16,"state":400,"stack":1200,"stack_bound":1500}},
+            "m0-full-f32-rk4":{"failed":"region FLASH overflowed"}}}"#,
+    );
+    with(&[]).succeeded();
+    let after = columns(&bench.path("out/table.csv"));
+    let mut counted = 0;
+    for k in 0..after["modes"].len() {
+        let of = |name: &str| after[&format!("cortex-m7.{name}")][k].clone();
+        let found =
+            ["instructions_per_step", "code_bytes", "data_bytes", "stack_bytes", "stack_bytes_at_most"]
+                .map(of);
+        let is_counted =
+            after["modes"][k] == "[0+3]" && after["integrator"][k] == "rk4" && after["failure"][k].is_empty();
+        let expected = ["20000", "9000", "416", "1200", "1500"];
+        assert_eq!(found, if is_counted { expected } else { [""; 5] }, "{k}");
+        counted += usize::from(is_counted);
+        // nothing else has moved
+        assert_eq!(after["error"][k], before["error"][k]);
+        assert_eq!(after["failure"][k], before["failure"][k]);
+    }
+    assert!(counted > 0, "no run of the counted program reached its end");
+    let table = fs::read_to_string(bench.path("out/table.txt")).unwrap();
+    assert!(table.contains("cortex-m7: a step as counted"), "{table}");
+    assert!(table.contains("not counted: region FLASH overflowed"), "{table}");
+    let page = fs::read_to_string(bench.path("out/report.html")).unwrap();
+    assert!(page.contains(r#""cores":["cortex-m7"]"#) && page.contains(r#""code":9000"#), "{page}");
+    bench.run("tradeoff scene.toml -o out --sources=.").failed(2, &["--target"]);
+    bench.run("tradeoff scene.toml -o out --modes=[0+9x]").failed(2, &["for a list (from 0)"]);
+}

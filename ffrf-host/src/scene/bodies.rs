@@ -53,8 +53,8 @@ fn flexible(name: &str, key: &str, table: &BodyTable, path: &Path) -> Result<Nam
         source: Box::new(source),
     };
     let mut model = ReducedBody::read(path).map_err(refused)?;
-    if let Some(count) = table.modes {
-        model = model.with_modes(count).map_err(refused)?;
+    if let Some(modes) = &table.modes {
+        model = model.with_selected_modes(&modes.0).map_err(refused)?;
     }
     let fidelity = fidelity(key, table.fidelity.as_ref())?;
     fidelity

@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::SceneError;
 use super::lines::{Lines, line_at};
+use super::modes_value::ModesValue;
 
 /// Three numbers.
 pub type Vector = [f64; 3];
@@ -45,8 +46,8 @@ pub struct BodyTable {
     pub model: Option<String>,
     /// Surface file for animations, relative to the scene file; no number of a simulation depends on it.
     pub surface: Option<String>,
-    /// Number of modes that are used; all if nothing is said.
-    pub modes: Option<usize>,
+    /// Which modes are used; all if nothing is said.
+    pub modes: Option<ModesValue>,
     /// Which terms of the kinetic energy are kept: a level, or a list of terms.
     pub fidelity: Option<FidelityValue>,
     /// Mass of a rigid body. Units: kg.

@@ -8,6 +8,7 @@ use std::path::{Component, Path, PathBuf};
 use ffrf_codegen::{Fidelity, ScalarType};
 
 use super::configuration::Configuration;
+use super::modes::Modes;
 use crate::scene::file::{BodyTable, ForceTable, FunctionValue, JointTable, SceneFile, Vector};
 
 /// The calls. `folder`: that of the scene, from where the calls are to stand; `title`: name of the mechanism; `modes`: for each
@@ -16,7 +17,7 @@ pub(super) fn calls(
     file: &SceneFile,
     folder: &Path,
     title: &str,
-    modes: &[Option<usize>],
+    modes: &[Option<Modes>],
     configuration: &Configuration,
 ) -> String {
     let mut text = String::from(
@@ -25,8 +26,13 @@ pub(super) fn calls(
     for ((name, table), modes) in file.bodies.iter().zip(modes) {
         if let (Some(model), Some(modes)) = (&table.model, modes) {
             let _ = writeln!(text, "ffrf::flexible_body! {{\n    pub struct {} {{", camel(name));
-            let _ = writeln!(text, "        model: {:?},\n        modes: ..{modes},", tidy(folder, model));
-            if configuration.fidelity != Fidelity::Full && *modes > 0 {
+            let _ = writeln!(
+                text,
+                "        model: {:?},\n        modes: {},",
+                tidy(folder, model),
+                modes.selection()
+            );
+            if configuration.fidelity != Fidelity::Full && modes.count() > 0 {
                 let _ = writeln!(text, "        fidelity: {},", configuration.fidelity);
             }
             if configuration.scalar == ScalarType::F32 {
@@ -38,7 +44,7 @@ pub(super) fn calls(
     let _ = writeln!(text, "ffrf::mechanism! {{\n    pub struct {} {{", camel(title));
     let bodies = file.bodies.iter().zip(modes).map(|((name, table), modes)| {
         let free = if is_held(file, name) { "" } else { "free " };
-        format!("{name}: {free}{},", body(name, table, *modes))
+        format!("{name}: {free}{},", body(name, table, modes.as_ref()))
     });
     section(&mut text, "bodies", bodies.collect());
     if file.simulation.gravity != [0.0; 3] {
@@ -93,8 +99,8 @@ fn tidy(folder: &Path, name: &str) -> String {
     path.display().to_string().replace(std::path::MAIN_SEPARATOR, "/")
 }
 
-fn body(name: &str, table: &BodyTable, modes: Option<usize>) -> String {
-    match (modes, table.mass) {
+fn body(name: &str, table: &BodyTable, modes: Option<&Modes>) -> String {
+    match (modes.map(Modes::count), table.mass) {
         (Some(0), _) => format!("rigid {}", camel(name)),
         (Some(_), _) => camel(name),
         (None, mass) => {

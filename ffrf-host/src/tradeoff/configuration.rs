@@ -2,13 +2,14 @@
 
 use ffrf_codegen::{Fidelity, ScalarType};
 
+use super::modes::Modes;
 use crate::scene::Integrator;
 
 /// One way to simulate a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Configuration {
-    /// Modes of each flexible body, or all that it has if these are fewer.
-    pub modes: usize,
+    /// Modes of each flexible body.
+    pub modes: Modes,
     /// Terms of the kinetic energy that are kept, of every flexible body.
     pub fidelity: Fidelity,
     /// Number type, f64 or f32; `generic` counts as f64.
@@ -22,11 +23,16 @@ pub struct Configuration {
 impl Configuration {
     /// Grows with what a run takes: steps, and about the square of the modes above a constant share. Without units.
     pub fn expected_effort(&self) -> f64 {
-        (8.0 + self.modes as f64).powi(2) / self.step
+        (8.0 + self.modes.count() as f64).powi(2) / self.step
     }
 
     /// A name that no other configuration has, fit for files.
     pub fn key(&self) -> String {
+        format!("{}-h{:e}", self.program(), self.step)
+    }
+
+    /// The name of what is compiled for it: all but the step, which a program takes as a number.
+    pub fn program(&self) -> String {
         let fidelity: String = self
             .fidelity
             .to_string()
@@ -37,16 +43,16 @@ impl Configuration {
                 _ => None,
             })
             .collect();
-        let (modes, scalar, integrator) = (self.modes, self.scalar.name(), self.integrator.name());
-        format!("m{modes}-{fidelity}-{scalar}-{integrator}-h{:e}", self.step)
+        let (modes, scalar, integrator) = (self.modes.key(), self.scalar.name(), self.integrator.name());
+        format!("{modes}-{fidelity}-{scalar}-{integrator}")
     }
 }
 
 /// The values of each axis; a study runs every combination.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axes {
-    /// Numbers of modes.
-    pub modes: Vec<usize>,
+    /// Modes.
+    pub modes: Vec<Modes>,
     /// Fidelities.
     pub fidelities: Vec<Fidelity>,
     /// Number types.
@@ -63,12 +69,12 @@ impl Axes {
     pub fn configurations(&self) -> Vec<Configuration> {
         let mut all: Vec<Configuration> = Vec::new();
         for modes in &self.modes {
-            let fidelities = if *modes == 0 { &[Fidelity::Full] } else { self.fidelities.as_slice() };
+            let fidelities = if modes.count() == 0 { &[Fidelity::Full] } else { self.fidelities.as_slice() };
             for fidelity in fidelities {
                 for scalar in &self.scalars {
                     for integrator in &self.integrators {
                         all.extend(self.steps.iter().map(|step| Configuration {
-                            modes: *modes,
+                            modes: modes.clone(),
                             fidelity: fidelity.clone(),
                             scalar: *scalar,
                             integrator: *integrator,
@@ -92,7 +98,7 @@ mod tests {
     #[test]
     fn every_combination_is_there_once() {
         let axes = Axes {
-            modes: vec![0, 2, 2],
+            modes: vec![0.into(), 2.into(), Modes::listed(vec![0, 1])],
             fidelities: vec![Fidelity::Linear, Fidelity::Full],
             scalars: vec![ScalarType::F64, ScalarType::F32],
             integrators: vec![Integrator::Rk4],
@@ -108,7 +114,9 @@ mod tests {
     fn a_list_of_terms_has_a_name_fit_for_files() {
         let fidelity = Fidelity::from_term_names(["first_moment", "modal_rotation"]).unwrap();
         let integrator = Integrator::Rk4;
-        let one = Configuration { modes: 4, fidelity, scalar: ScalarType::F32, integrator, step: 2.5e-4 };
+        let modes = Modes::first(4);
+        let one = Configuration { modes, fidelity, scalar: ScalarType::F32, integrator, step: 2.5e-4 };
+        assert_eq!(one.program(), "m4-first_moment+modal_rotation-f32-rk4");
         assert_eq!(one.key(), "m4-first_moment+modal_rotation-f32-rk4-h2.5e-4");
     }
 }

@@ -38,7 +38,12 @@ impl StaticCost {
             cost.operations += match &table.model {
                 Some(path) if modes > 0 => {
                     let model = read(name, &folder.join(path))?;
-                    let model = model.with_modes(modes).map_err(ffrf_codegen::CodegenError::from)?;
+                    let model = match &table.modes {
+                        Some(modes) => {
+                            model.with_selected_modes(&modes.0).map_err(ffrf_codegen::CodegenError::from)?
+                        }
+                        None => model,
+                    };
                     prepare_operations(&model, &fidelity(table.fidelity.as_ref()))? as f64
                 }
                 _ => RIGID_OPERATIONS,

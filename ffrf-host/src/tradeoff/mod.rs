@@ -16,6 +16,7 @@ mod effort;
 mod error;
 mod front;
 mod march;
+mod modes;
 mod outcome;
 mod plan;
 mod reference;
@@ -30,6 +31,7 @@ pub use configuration::{Axes, Configuration};
 pub use cost::StaticCost;
 pub use error::TradeoffError;
 pub use front::front;
+pub use modes::Modes;
 pub use outcome::{Finding, INSTRUCTIONS_PER_OPERATION, Measured, Outcome, run};
 pub use plan::{
     Affordable, Candidate, Choice, ModeUse, Motion, Operations, Pilot, Plan, PlanOptions, PlanWithin,

@@ -69,7 +69,7 @@ impl Reference {
         quantities: &[Quantity],
         options: ReferenceOptions,
     ) -> Result<(Self, Variant, Vec<Vec<f64>>), TradeoffError> {
-        let variant = study.variant(study.most_modes(), &Fidelity::Full)?;
+        let variant = study.variant(&study.all_modes(), &Fidelity::Full)?;
         let channels = Channel::of(&variant.scene, quantities)?;
         let width: usize = channels.iter().map(Channel::width).sum();
         let mut everything = channels.clone();

@@ -10,8 +10,9 @@ use super::TradeoffError;
 use super::channel::{Channel, Quantity};
 use super::configuration::Configuration;
 use super::cost::StaticCost;
+use super::modes::Modes;
 use crate::scene::file::{BodyTable, FidelityValue, FunctionValue, SceneFile};
-use crate::scene::{Coordinates, Integrator, Scene, SceneError, Settings, StepChoice};
+use crate::scene::{Coordinates, Integrator, ModesValue, Scene, SceneError, Settings, StepChoice};
 use crate::{HostBody, HostModal};
 
 /// A scene to be studied.
@@ -25,7 +26,7 @@ pub struct Study {
     intervals: usize,
 }
 
-/// The scene with so many modes and such terms.
+/// The scene with such modes and terms.
 pub struct Variant {
     /// The scene.
     pub scene: Scene,
@@ -76,13 +77,18 @@ impl Study {
 
     /// The channels that quantities name. Errors: a quantity that the scene does not have.
     pub fn channels(&self, quantities: &[Quantity]) -> Result<Vec<Channel>, TradeoffError> {
-        let variant = self.variant(self.most_modes(), &Fidelity::Full)?;
+        let variant = self.variant(&self.all_modes(), &Fidelity::Full)?;
         Channel::of(&variant.scene, quantities)
     }
 
     /// The most modes that a body of the scene has.
     pub fn most_modes(&self) -> usize {
         self.available.iter().flatten().copied().max().unwrap_or(0)
+    }
+
+    /// All that they have.
+    pub fn all_modes(&self) -> Modes {
+        Modes::first(self.most_modes())
     }
 
     /// How the scene's file says that it is simulated.
@@ -144,8 +150,8 @@ impl Study {
 
     /// The macro calls that make the scene with a configuration. `title`: name of the mechanism.
     pub fn macro_calls(&self, title: &str, configuration: &Configuration) -> String {
-        let modes: Vec<Option<usize>> =
-            self.available.iter().map(|most| most.map(|most| most.min(configuration.modes))).collect();
+        let modes: Vec<Option<Modes>> =
+            self.available.iter().map(|most| most.map(|most| configuration.modes.of(most))).collect();
         super::calls::calls(&self.file, &self.folder, title, &modes, configuration)
     }
 
@@ -166,19 +172,19 @@ impl Study {
     pub(super) fn body_with(&self, index: usize, fidelity: &Fidelity) -> Result<HostBody, TradeoffError> {
         let variant = with_bodies(&self.file, |body, table| {
             if let Some(available) = self.available.get(body).copied().flatten() {
-                with_modes(table, available, fidelity);
+                with_modes(table, available, &Modes::first(available), fidelity);
             }
         });
         let scene = Scene::compose(&variant, &self.folder)?;
         Ok(scene.mechanism.bodies()[index].clone())
     }
 
-    /// The scene's file with so many modes of each flexible body, and these terms; its files are looked for in
+    /// The scene's file with these modes of each flexible body, and these terms; its files are looked for in
     /// [`folder`](Self::folder).
-    pub fn file_with(&self, modes: usize, fidelity: &Fidelity) -> SceneFile {
+    pub fn file_with(&self, modes: &Modes, fidelity: &Fidelity) -> SceneFile {
         with_bodies(&self.file, |body, table| {
             if let Some(available) = self.available.get(body).copied().flatten() {
-                with_modes(table, modes.min(available), fidelity);
+                with_modes(table, available, &modes.of(available), fidelity);
             }
         })
     }
@@ -188,8 +194,8 @@ impl Study {
         &self.folder
     }
 
-    /// The scene with so many modes of each flexible body, and these terms. Errors: the scene cannot be assembled so.
-    pub fn variant(&self, modes: usize, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
+    /// The scene with these modes of each flexible body, and these terms. Errors: the scene cannot be assembled so.
+    pub fn variant(&self, modes: &Modes, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
         let file = self.file_with(modes, fidelity);
         let scene = Scene::compose(&file, &self.folder)?;
         let (initial, _) = scene.assembled()?;
@@ -212,12 +218,19 @@ fn without_modes(table: &mut BodyTable) {
     (table.modes, table.modal_coordinates, table.modal_rates) = (None, None, None);
 }
 
-/// Initial values of modes that the file does not use are zero.
-fn with_modes(table: &mut BodyTable, modes: usize, fidelity: &Fidelity) {
-    table.modes = Some(modes);
+/// Initial values of modes that the file does not use are zero. `available`: modes of the body's model.
+fn with_modes(table: &mut BodyTable, available: usize, modes: &Modes, fidelity: &Fidelity) {
+    // what was composed before has modes that exist
+    let own = table.modes.as_ref().and_then(|own| own.0.indices(available).ok());
+    let own = own.unwrap_or_else(|| (0..available).collect());
     for list in [&mut table.modal_coordinates, &mut table.modal_rates].into_iter().flatten() {
-        list.resize(modes, 0.0);
+        let value = |mode: usize| {
+            let place = own.iter().position(|own| *own == mode);
+            place.and_then(|place| list.get(place).copied()).unwrap_or(0.0)
+        };
+        *list = modes.indices().into_iter().map(value).collect();
     }
+    table.modes = Some(ModesValue(modes.selection()));
     table.fidelity = Some(match fidelity {
         Fidelity::Terms(terms) => {
             FidelityValue::Terms(terms.iter().map(|term| term.name().to_owned()).collect())

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use super::{Configuration, Outcome, Reference, Study, TradeoffError, Variant, run};
+use super::{Configuration, Modes, Outcome, Reference, Study, TradeoffError, Variant, run};
 
 /// How far a sweep is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,19 +64,19 @@ pub fn sweep(
     Ok(configurations.iter().filter_map(|one| found.get(&one.key()).cloned()).collect())
 }
 
-fn variant_key(one: &Configuration) -> (usize, String) {
-    (one.modes, one.fidelity.to_string())
+fn variant_key(one: &Configuration) -> (Modes, String) {
+    (one.modes.clone(), one.fidelity.to_string())
 }
 
 /// Every variant that is needed, composed once.
 fn variants(
     study: &Study,
     needed: &[&Configuration],
-) -> Result<BTreeMap<(usize, String), Variant>, TradeoffError> {
+) -> Result<BTreeMap<(Modes, String), Variant>, TradeoffError> {
     let mut variants = BTreeMap::new();
     for one in needed {
         if let std::collections::btree_map::Entry::Vacant(place) = variants.entry(variant_key(one)) {
-            place.insert(study.variant(one.modes, &one.fidelity)?);
+            place.insert(study.variant(&one.modes, &one.fidelity)?);
         }
     }
     Ok(variants)

@@ -2,7 +2,7 @@
 
 use ffrf_codegen::{Fidelity, ScalarType};
 
-use super::{Axes, Study};
+use super::{Axes, Modes, Study};
 use crate::scene::Integrator;
 
 /// The usual steps: so many, each this much smaller than the one before.
@@ -21,7 +21,11 @@ impl Axes {
         let doubled =
             std::iter::successors(Some(1), |modes| Some(2 * modes)).take_while(|modes| *modes < most);
         Self {
-            modes: std::iter::once(0).chain(doubled).chain((most > 0).then_some(most)).collect(),
+            modes: std::iter::once(0)
+                .chain(doubled)
+                .chain((most > 0).then_some(most))
+                .map(Modes::first)
+                .collect(),
             fidelities: vec![Fidelity::Constant, Fidelity::Linear, Fidelity::Full],
             scalars: vec![ScalarType::F64, ScalarType::F32],
             integrators: INTEGRATORS.to_vec(),

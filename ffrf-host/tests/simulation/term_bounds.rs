@@ -156,7 +156,7 @@ fn bounds_of_a_plan_hold_in_a_closer_look_and_dropping_costs_no_more_than_was_sa
         let tolerance = 0.1 * found.reference.tolerance;
         let reference = Reference::compute(&coarse, &quantities, ReferenceOptions { tolerance }).unwrap();
         let one = &found.configuration;
-        let variant = coarse.variant(one.modes, &one.fidelity).unwrap();
+        let variant = coarse.variant(&one.modes, &one.fidelity).unwrap();
         let Finding::Finished(measured) = run(&coarse, &variant, &reference, one).finding else {
             panic!("{name}: {one:?} fails");
         };

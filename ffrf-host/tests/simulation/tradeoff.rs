@@ -9,9 +9,10 @@ use ffrf_host::scene::file::SceneFile;
 use ffrf_host::scene::{Integrator, Scene};
 use ffrf_host::simulate::simulate;
 use ffrf_host::tradeoff::{
-    Axes, Configuration, Finding, Measured, Operations, Outcome, PlanOptions, Quantity, Reference,
-    ReferenceOptions, StepBudget, Study, TradeoffError, plan, plan_within, run, sweep,
+    Axes, Configuration, Finding, Measured, Modes, Operations, Outcome, PlanOptions, Quantity, Reference,
+    ReferenceOptions, StepBudget, Study, TradeoffError, Variant, plan, plan_within, run, sweep,
 };
+use ffrf_runtime::FlexibleBody;
 
 /// What a plan may exceed its budget by.
 const OVER_BUDGET: f64 = 2.0;
@@ -52,12 +53,12 @@ fn compare(
     let tolerance = 0.1 * found.reference.tolerance;
     let reference = Reference::compute(study, quantities, ReferenceOptions { tolerance }).unwrap();
     let one = &found.configuration;
-    let variant = study.variant(one.modes, &one.fidelity).unwrap();
+    let variant = study.variant(&one.modes, &one.fidelity).unwrap();
     let Finding::Finished(planned) = run(study, &variant, &reference, one).finding else {
         panic!("{name}: {one:?} fails");
     };
     let axes = Axes {
-        modes,
+        modes: modes.into_iter().map(Modes::first).collect(),
         fidelities: vec![Fidelity::Constant, Fidelity::Linear, Fidelity::Full],
         scalars,
         integrators,
@@ -177,9 +178,9 @@ fn a_run_of_a_study_is_the_simulation() {
     for (own, shown) in reference.times.iter().zip(&shown) {
         assert!((own - shown).abs() < 1e-12);
     }
-    let variant = study.variant(0, &Fidelity::Full).unwrap();
+    let variant = study.variant(&Modes::first(0), &Fidelity::Full).unwrap();
     let configuration = |scalar, step| Configuration {
-        modes: 0,
+        modes: Modes::first(0),
         fidelity: Fidelity::Full,
         scalar,
         integrator: Integrator::Rk4,
@@ -205,8 +206,10 @@ fn the_calls_of_the_macros_name_what_was_chosen() {
     let study = study("slider_crank.toml", 4e-3, 20.0);
     let fidelity = Fidelity::Linear;
     let (scalar, integrator) = (ScalarType::F32, Integrator::LinearlyImplicit);
-    let text = study
-        .macro_calls("slider_crank", &Configuration { modes: 2, fidelity, scalar, integrator, step: 1e-5 });
+    let text = study.macro_calls(
+        "slider_crank",
+        &Configuration { modes: Modes::first(2), fidelity, scalar, integrator, step: 1e-5 },
+    );
     for part in [
         "pub struct Rod {",
         "modes: ..2,",
@@ -222,4 +225,68 @@ fn the_calls_of_the_macros_name_what_was_chosen() {
     ] {
         assert!(text.contains(part), "`{part}` is not in\n{text}");
     }
+}
+
+/// A scene with a list of modes: the body, its initial values and the calls of the macros are those of the list.
+#[test]
+fn modes_may_be_a_list() {
+    let tiny = |mode: i32| 1e-12 * f64::from(mode);
+    let mut file = SceneFile::read(&scenes().join("slider_crank.toml")).unwrap();
+    file.bodies[1].1.modes = None;
+    file.bodies[1].1.modal_coordinates = Some((0..8).map(tiny).collect());
+    let study = Study::new(file, scenes()).unwrap();
+    let all = study.variant(&study.all_modes(), &Fidelity::Full).unwrap();
+    let some = Modes::listed(vec![5, 1]);
+    let listed = study.variant(&some, &Fidelity::Full).unwrap();
+    let stiffness = |variant: &Variant| variant.scene.mechanism.bodies()[1].stiffness().dense();
+    let (few, many) = (stiffness(&listed), stiffness(&all));
+    assert_eq!((few[(0, 0)], few[(1, 1)]), (many[(1, 1)], many[(5, 5)]));
+    assert_eq!(few.nrows(), 2);
+    let values = study.file_with(&some, &Fidelity::Full).bodies[1].1.modal_coordinates.clone();
+    assert_eq!(values, Some(vec![tiny(1), tiny(5)]));
+    assert!(listed.cost.operations < all.cost.operations);
+    // a scene that has such a list itself
+    let mut file = study.file_with(&some, &Fidelity::Full);
+    file.bodies[1].1.fidelity = None;
+    let own = Study::new(file, scenes()).unwrap();
+    assert_eq!(own.most_modes(), 8);
+    let widened = own.file_with(&Modes::first(6), &Fidelity::Full).bodies[1].1.modal_coordinates.clone();
+    assert_eq!(widened, Some(vec![0.0, tiny(1), 0.0, 0.0, 0.0, tiny(5)]));
+    let (fidelity, scalar, integrator) = (Fidelity::Full, ScalarType::F64, Integrator::Rk4);
+    let one = Configuration { modes: some, fidelity, scalar, integrator, step: 1e-5 };
+    let text = study.macro_calls("slider_crank", &one);
+    assert!(text.contains("modes: [1, 5],"), "{text}");
+}
+
+/// Five modes of bending and torsion stand before the one along the rod, where the load of its bearing goes: the plan takes those
+/// that take part, and is as exact as with more of the first ones.
+#[test]
+fn a_plan_takes_the_modes_that_take_part() {
+    let study = study("slider_crank.toml", 4e-3, 20.0);
+    let quantities = vec![Quantity::Sensor("bearing".to_owned())];
+    let options = PlanOptions {
+        quantities: quantities.clone(),
+        integrators: vec![Integrator::Rk4],
+        scalars: vec![ScalarType::F64],
+        ..PlanOptions::usual(3e-2)
+    };
+    let found = plan(&study, &options).unwrap();
+    let modes = &found.configuration.modes;
+    eprintln!("{modes}: {:?}", found.models);
+    assert!(modes.has(5) && modes.count() < 6, "{modes}");
+    let tolerance = 0.1 * found.reference.tolerance;
+    let reference = Reference::compute(&study, &quantities, ReferenceOptions { tolerance }).unwrap();
+    let variant = study.variant(modes, &found.configuration.fidelity).unwrap();
+    let outcome = run(&study, &variant, &reference, &found.configuration);
+    let error = outcome.measured().unwrap().error();
+    assert!(error <= OVER_BUDGET * options.error, "{error}");
+    // the first so many are no better
+    let first = study.variant(&Modes::first(modes.count()), &Fidelity::Full).unwrap();
+    let one = Configuration {
+        modes: Modes::first(modes.count()),
+        fidelity: Fidelity::Full,
+        ..found.configuration.clone()
+    };
+    let without = run(&study, &first, &reference, &one).measured().unwrap().error();
+    assert!(without > options.error, "{without}");
 }

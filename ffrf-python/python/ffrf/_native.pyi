@@ -148,11 +148,11 @@ def simulate(scene: _Path, state: str | None = None) -> tuple[list[tuple[str, _A
 class Configuration:
     """One way to simulate a scene. Equal ones have equal hashes; can be pickled."""
 
-    def __new__(cls, modes: int, fidelity: str, scalar: str, integrator: str, step: float) -> Configuration:
+    def __new__(cls, modes: int | Sequence[int], fidelity: str, scalar: str, integrator: str, step: float) -> Configuration:
         """Names as on the command line: ``full`` or terms separated by commas, ``f64`` or ``f32``, ``rk4``, ...; step in s."""
     @property
-    def modes(self) -> int:
-        """Modes of every flexible body that has so many."""
+    def modes(self) -> int | list[int]:
+        """The first so many modes of every flexible body, or a list of those from 0 that are used."""
     @property
     def fidelity(self) -> str:
         """Terms of the kinetic energy that are kept."""
@@ -256,7 +256,7 @@ class Study:
     def configurations(
         self,
         *,
-        modes: Sequence[int] | None = None,
+        modes: Sequence[int | Sequence[int]] | None = None,
         fidelity: Sequence[str] | None = None,
         scalar: Sequence[str] | None = None,
         integrator: Sequence[str] | None = None,

@@ -12,7 +12,7 @@ def tradeoff(
     scene: Union[str, "os.PathLike[str]"],
     folder: Union[str, "os.PathLike[str]"],
     *,
-    modes: Optional[Sequence[int]] = None,
+    modes: Optional[Sequence[Union[int, Sequence[int]]]] = None,
     fidelity: Optional[Sequence[str]] = None,
     scalar: Optional[Sequence[str]] = None,
     integrator: Optional[Sequence[str]] = None,

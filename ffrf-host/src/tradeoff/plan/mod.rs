@@ -17,7 +17,7 @@ mod within;
 
 use ffrf_codegen::{Fidelity, ScalarType};
 
-use super::{Configuration, Quantity, Reference, ReferenceOptions, Study, TradeoffError};
+use super::{Configuration, Modes, Quantity, Reference, ReferenceOptions, Study, TradeoffError};
 use crate::scene::Integrator;
 
 pub use model::Choice;
@@ -105,8 +105,8 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
     }
     let motion = motion::look(study, &reference, &whole, &states)?;
     let needed = motion.needed_terms(NEGLIGIBLE * options.error);
-    let mut search = model::Search::new(study, &reference, tolerance, needed);
-    let mut left: Vec<(usize, Fidelity)> = Vec::new();
+    let mut search = model::Search::new(study, &reference, tolerance, needed, motion.ranking());
+    let mut left: Vec<(Modes, Fidelity)> = Vec::new();
     for share in MODEL_SHARES {
         if let Some(choice) = search.least(share * options.error)
             && !left.contains(&choice)
@@ -115,11 +115,11 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
         }
     }
     if left.is_empty() {
-        left.push((study.most_modes(), Fidelity::Full));
+        left.push((study.all_modes(), Fidelity::Full));
     }
     let mut candidates: Vec<Candidate> = Vec::new();
-    for (count, fidelity) in &left {
-        let Some(model) = search.model(*count, fidelity) else { continue };
+    for (modes, fidelity) in &left {
+        let Some(model) = search.model(modes, fidelity) else { continue };
         for integrator in &options.integrators {
             let cheapest = candidates.iter().filter_map(Candidate::cost).fold(f64::INFINITY, f64::min);
             candidates.push(steps::candidate(study, &reference, model, *integrator, options.error, cheapest));
@@ -132,15 +132,20 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
     let Some((best, step)) = best.and_then(|best| best.step.map(|step| (best, step))) else {
         return Err(TradeoffError::Budget { error: options.error, tried: describe(&candidates) });
     };
-    let (count, fidelity) = (best.modes, best.fidelity.clone());
-    let Some(model) = search.model(count, &fidelity) else {
+    let (modes, fidelity) = (best.modes.clone(), best.fidelity.clone());
+    let Some(model) = search.model(&modes, &fidelity) else {
         return Err(TradeoffError::Budget { error: options.error, tried: describe(&candidates) });
     };
-    let wanted =
-        Configuration { modes: count, fidelity, scalar: ScalarType::F64, integrator: best.integrator, step };
+    let wanted = Configuration {
+        modes: modes.clone(),
+        fidelity,
+        scalar: ScalarType::F64,
+        integrator: best.integrator,
+        step,
+    };
     let left = options.error - model.error - best.step_error - reference.own_error();
     let (scalar, rounding) = scalar(study, &reference, model, &wanted, options, left);
-    let truncations = motion::truncations(&reference, &whole, &states, &motion.modes, count);
+    let truncations = motion::truncations(&reference, &whole, &states, &motion.modes, &modes);
     let parts = [model.error, best.step_error, rounding, reference.own_error()];
     Ok(Plan {
         configuration: Configuration { scalar, ..wanted },

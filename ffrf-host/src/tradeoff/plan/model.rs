@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use ffrf_codegen::Fidelity;
 
 use super::super::reference::controlled;
-use super::super::{History, Reference, Study, TradeoffError, Variant};
+use super::super::{History, Modes, Reference, Study, TradeoffError, Variant};
 
 /// A model that was tried.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
     /// Modes of each flexible body.
-    pub modes: usize,
+    pub modes: Modes,
     /// Terms that are kept.
     pub fidelity: Fidelity,
     /// What it lacks against all modes and terms, over the scale of the worst quantity; infinite where it cannot be run.
@@ -20,7 +20,7 @@ pub struct Choice {
 
 /// A model, and its motion.
 pub(super) struct Model {
-    pub(super) modes: usize,
+    pub(super) modes: Modes,
     pub(super) fidelity: Fidelity,
     pub(super) variant: Variant,
     pub(super) error: f64,
@@ -38,17 +38,25 @@ pub(super) struct Search<'a> {
     tolerance: f64,
     /// The levels, and the terms that are not negligible by their bounds where no level has just these.
     fidelities: Vec<Fidelity>,
+    /// The modes in the order of what they take part in the motion of the whole model.
+    ranking: Vec<usize>,
     tried: Vec<Choice>,
     /// None of models that cannot be assembled or run.
-    known: BTreeMap<(usize, String), Option<Model>>,
+    known: BTreeMap<(Modes, String), Option<Model>>,
 }
 
 impl<'a> Search<'a> {
-    /// `needed`: the terms that are not negligible.
-    pub(super) fn new(study: &'a Study, reference: &'a Reference, tolerance: f64, needed: Fidelity) -> Self {
+    /// `needed`: the terms that are not negligible; `ranking`: the modes, those first that take part most.
+    pub(super) fn new(
+        study: &'a Study,
+        reference: &'a Reference,
+        tolerance: f64,
+        needed: Fidelity,
+        ranking: Vec<usize>,
+    ) -> Self {
         let is_level = LEVELS.iter().any(|level| level.terms().eq(needed.terms()));
         let fidelities = LEVELS.into_iter().chain((!is_level).then_some(needed)).collect();
-        Self { study, reference, tolerance, fidelities, tried: Vec::new(), known: BTreeMap::new() }
+        Self { study, reference, tolerance, fidelities, ranking, tried: Vec::new(), known: BTreeMap::new() }
     }
 
     pub(super) fn tried(self) -> Vec<Choice> {
@@ -57,61 +65,79 @@ impl<'a> Search<'a> {
 
     /// The fewest modes, then the cheapest terms, that lack no more than `error`; none if even the whole model cannot.
     ///
-    /// By halving: more modes are taken to be no worse.
-    pub(super) fn least(&mut self, error: f64) -> Option<(usize, Fidelity)> {
-        let (mut low, mut high) = (0, self.study.most_modes());
+    /// By halving, of the first so many and of those that take part most: more modes are taken to be no worse.
+    pub(super) fn least(&mut self, error: f64) -> Option<(Modes, Fidelity)> {
+        let first = self.fewest(0, self.study.most_modes(), error, |_, count| Modes::first(count))?;
+        if first.count() == 0 {
+            return Some((first, Fidelity::Full));
+        }
+        let ranked =
+            |search: &Self, count: usize| Modes::listed(search.ranking.iter().copied().take(count).collect());
+        // none of these would be worth it with as many modes as of the first
+        let modes = self.fewest(1, first.count() - 1, error, ranked).unwrap_or(first);
+        let mut by_cost: Vec<(f64, Fidelity)> = Vec::new();
+        for fidelity in self.fidelities.clone() {
+            if let Ok(variant) = self.study.variant(&modes, &fidelity) {
+                by_cost.push((variant.cost.operations, fidelity));
+            }
+        }
+        by_cost.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let enough = by_cost.into_iter().find(|(_, level)| self.error(&modes, level) <= error);
+        enough.map(|(_, level)| (modes, level))
+    }
+
+    /// The fewest of `low` to `high` modes that lack no more than `error` with every term.
+    fn fewest(
+        &mut self,
+        mut low: usize,
+        mut high: usize,
+        error: f64,
+        modes: impl Fn(&Self, usize) -> Modes,
+    ) -> Option<Modes> {
+        if low > high {
+            return None;
+        }
         while low < high {
             let middle = low.midpoint(high);
-            if self.error(middle, &Fidelity::Full) <= error {
+            let some = modes(self, middle);
+            if self.error(&some, &Fidelity::Full) <= error {
                 high = middle;
             } else {
                 low = middle + 1;
             }
         }
-        if self.error(low, &Fidelity::Full) > error {
-            return None;
-        }
-        if low == 0 {
-            return Some((0, Fidelity::Full));
-        }
-        let mut by_cost: Vec<(f64, Fidelity)> = Vec::new();
-        for fidelity in self.fidelities.clone() {
-            if let Ok(variant) = self.study.variant(low, &fidelity) {
-                by_cost.push((variant.cost.operations, fidelity));
-            }
-        }
-        by_cost.sort_by(|a, b| a.0.total_cmp(&b.0));
-        by_cost.into_iter().find(|(_, level)| self.error(low, level) <= error).map(|(_, level)| (low, level))
+        let found = modes(self, low);
+        (self.error(&found, &Fidelity::Full) <= error).then_some(found)
     }
 
     /// What a model lacks; infinite where it cannot be assembled or run.
-    fn error(&mut self, modes: usize, fidelity: &Fidelity) -> f64 {
+    fn error(&mut self, modes: &Modes, fidelity: &Fidelity) -> f64 {
         self.model(modes, fidelity).map_or(f64::INFINITY, |model| model.error)
     }
 
     /// A model with its motion; none if it cannot be assembled or run.
-    pub(super) fn model(&mut self, modes: usize, fidelity: &Fidelity) -> Option<&Model> {
-        let key = (modes, fidelity.to_string());
+    pub(super) fn model(&mut self, modes: &Modes, fidelity: &Fidelity) -> Option<&Model> {
+        let key = (modes.clone(), fidelity.to_string());
         if !self.known.contains_key(&key) {
             let model = self.integrate(modes, fidelity).ok();
             let error = model.as_ref().map_or(f64::INFINITY, |model| model.error);
-            self.tried.push(Choice { modes, fidelity: fidelity.clone(), error });
+            self.tried.push(Choice { modes: modes.clone(), fidelity: fidelity.clone(), error });
             self.known.insert(key.clone(), model);
         }
         self.known.get(&key).and_then(Option::as_ref)
     }
 
-    fn integrate(&self, modes: usize, fidelity: &Fidelity) -> Result<Model, TradeoffError> {
+    fn integrate(&self, modes: &Modes, fidelity: &Fidelity) -> Result<Model, TradeoffError> {
         let variant = self.study.variant(modes, fidelity)?;
         let Reference { channels, times, history, .. } = self.reference;
         // the whole model has been integrated
-        let is_whole = modes >= self.study.most_modes() && *fidelity == Fidelity::Full;
+        let is_whole = modes.are_all(self.study.most_modes()) && *fidelity == Fidelity::Full;
         let history = if is_whole {
             history.clone()
         } else {
             controlled(self.study, &variant, channels, times, self.tolerance)?.0
         };
         let error = self.reference.errors(&history).into_iter().fold(0.0, f64::max);
-        Ok(Model { modes, fidelity: fidelity.clone(), variant, error, history })
+        Ok(Model { modes: modes.clone(), fidelity: fidelity.clone(), variant, error, history })
     }
 }

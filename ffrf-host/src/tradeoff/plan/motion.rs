@@ -3,7 +3,7 @@
 use ffrf_codegen::Fidelity;
 use ffrf_runtime::{Envelope, State};
 
-use super::super::{MotionLimits, Reference, Study, TradeoffError, Variant};
+use super::super::{Modes, MotionLimits, Reference, Study, TradeoffError, Variant};
 use super::modes::{ModeUse, mode_uses};
 use super::statics::{Truncation, truncation};
 use super::terms::{TermUse, term_uses};
@@ -25,6 +25,22 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// The modes of all bodies in the order of what they take part: of the largest elastic energy that one stores over that of its
+    /// body. Modes of several bodies that have the same number go together.
+    pub fn ranking(&self) -> Vec<usize> {
+        let most = self.modes.iter().map(|one| one.mode).max().unwrap_or(0);
+        let mut shares = vec![0.0_f64; most];
+        for one in &self.modes {
+            if let Some(share) = shares.get_mut(one.mode - 1) {
+                *share = share.max(one.energy_share);
+            }
+        }
+        let mut ranking: Vec<usize> = (0..most).collect();
+        // the lower mode first where they are equal
+        ranking.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
+        ranking
+    }
+
     /// The terms that can contribute more than `share` of the forces in any body, and those that are always kept.
     pub fn needed_terms(&self, share: f64) -> Fidelity {
         let needed = self.terms.iter().filter(|one| one.largest_bound() > share).map(|one| one.term);
@@ -62,13 +78,13 @@ pub(super) fn look(
     Ok(motion)
 }
 
-/// What a model of the first `modes` modes loses by truncation in each channel, see [`Truncation`].
+/// What a model of these modes loses by truncation in each channel, see [`Truncation`].
 pub(super) fn truncations(
     reference: &Reference,
     whole: &Variant,
     states: &[Vec<f64>],
     uses: &[ModeUse],
-    modes: usize,
+    modes: &Modes,
 ) -> Vec<Truncation> {
     truncation(reference, whole, &tracks(reference, whole, states), uses, modes)
 }

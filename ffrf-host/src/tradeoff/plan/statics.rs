@@ -5,7 +5,7 @@ use ffrf_runtime::mechanism::Constrained;
 use nalgebra::DVector;
 
 use super::super::channel::{Channel, Source};
-use super::super::{Reference, Variant};
+use super::super::{Modes, Reference, Variant};
 use super::modes::{ModeUse, static_parts};
 use super::track::Track;
 use crate::HostModal;
@@ -30,7 +30,7 @@ pub(super) fn truncation(
     whole: &Variant,
     tracks: &[Track],
     uses: &[ModeUse],
-    modes: usize,
+    modes: &Modes,
 ) -> Vec<Truncation> {
     let bodies = whole.scene.mechanism.bodies().iter().zip(&whole.scene.body_names).zip(tracks);
     let statics: Vec<Vec<DVector<f64>>> = bodies
@@ -53,7 +53,8 @@ pub(super) fn truncation(
                 let all = tracks.iter().enumerate();
                 all.map(|(index, track)| {
                     let mut state = track.states[step].clone();
-                    let dropped = state.modal_coordinates.0.iter_mut().enumerate().skip(modes);
+                    let all = state.modal_coordinates.0.iter_mut().enumerate();
+                    let dropped = all.filter(|(mode, _)| !modes.has(*mode));
                     dropped.for_each(|(mode, q)| *q = change(index, mode, *q));
                     state
                 })

@@ -5,7 +5,7 @@ use ffrf_runtime::mechanism::Assembly;
 
 use super::super::cost::evaluations_per_step;
 use super::super::trajectory::trajectory;
-use super::super::{Configuration, History, Reference, Study};
+use super::super::{Configuration, History, Modes, Reference, Study};
 use super::model::Model;
 use crate::scene::{Integrator, StepChoice};
 
@@ -32,7 +32,7 @@ impl Pilot {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// Modes of the model.
-    pub modes: usize,
+    pub modes: Modes,
     /// Fidelity of the model.
     pub fidelity: Fidelity,
     /// The integrator.
@@ -92,7 +92,7 @@ pub(super) fn candidate(
     cheapest: f64,
 ) -> Candidate {
     let mut found = Candidate {
-        modes: model.modes,
+        modes: model.modes.clone(),
         fidelity: model.fidelity.clone(),
         integrator,
         step: None,
@@ -114,7 +114,7 @@ pub(super) fn candidate(
             return found;
         }
         let configuration = Configuration {
-            modes: model.modes,
+            modes: model.modes.clone(),
             fidelity: model.fidelity.clone(),
             scalar: ScalarType::F64,
             integrator,

@@ -1,12 +1,18 @@
 //! The least error that a step of given length and cost allows: for control loops, whose period and processor are given.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
 use ffrf_codegen::{Fidelity, ScalarType};
 use ffrf_runtime::mechanism::Assembly;
 
 use super::super::cost::evaluations_per_step;
 use super::super::trajectory::trajectory;
-use super::super::{Configuration, Quantity, Reference, ReferenceOptions, Study, TradeoffError, Variant};
+use super::super::{
+    Configuration, Modes, Quantity, Reference, ReferenceOptions, Study, TradeoffError, Variant,
+};
 use super::model::LEVELS;
+use super::motion;
 use crate::scene::{Integrator, StepChoice};
 
 /// Floating-point operations of compiled code that there is time for: where a number type is computed in software, fewer.
@@ -66,15 +72,17 @@ pub struct PlanWithin {
     pub tried: Vec<Affordable>,
     /// What errors were taken against.
     pub reference: Reference,
+    /// The modes in the order of what they take part in the motion of the whole model.
+    pub ranking: Vec<usize>,
 }
 
 /// An error counts as no better than another within this factor; the cheaper is taken then, and f32 before f64.
 const ALIKE: f64 = 1.1;
-/// Most models that are run for a kind, each with fewer modes than the one before.
-const TRIES: usize = 4;
+/// Most models that are run for a kind, none with more modes than the one before.
+const TRIES: usize = 8;
 
 /// Plans a scene for steps of given length and cost: for each kind of model and integrator the most modes that there is time
-/// for, run against the whole model; the least error is taken.
+/// for, the first ones and those that take part most, run against the whole model; the least error is taken.
 ///
 /// More modes are taken to be no worse, as long as the step is stable with them. Errors: the scene cannot be simulated, or
 /// nothing that may be chosen ends its run within the budget.
@@ -85,8 +93,10 @@ pub fn plan_within(study: &Study, budget: &StepBudget) -> Result<PlanWithin, Tra
         tried: "it is longer than the scene".to_owned(),
     };
     let study = &study.in_steps_of(budget.step).ok_or_else(refused)?;
-    let reference = Reference::compute(study, &budget.quantities, ReferenceOptions::default())?;
-    choose(study, reference, budget)
+    let options = ReferenceOptions::default();
+    let (reference, whole, states) = Reference::survey(study, &budget.quantities, options)?;
+    let ranking = motion::look(study, &reference, &whole, &states)?.ranking();
+    choose(study, reference, ranking, budget)
 }
 
 /// Chooses again, for other operations, with the reference of an earlier plan of the same study, period and quantities.
@@ -98,36 +108,49 @@ pub fn plan_again_within(
     budget: &StepBudget,
 ) -> Result<PlanWithin, TradeoffError> {
     match study.in_steps_of(budget.step) {
-        Some(study) => choose(&study, earlier.reference.clone(), budget),
+        Some(study) => choose(&study, earlier.reference.clone(), earlier.ranking.clone(), budget),
         None => plan_within(study, budget),
     }
 }
 
-fn choose(study: &Study, reference: Reference, budget: &StepBudget) -> Result<PlanWithin, TradeoffError> {
+fn choose(
+    study: &Study,
+    reference: Reference,
+    ranking: Vec<usize>,
+    budget: &StepBudget,
+) -> Result<PlanWithin, TradeoffError> {
     let mut tried = Vec::new();
     for fidelity in LEVELS {
-        let counts: Vec<usize> = match fidelity {
-            Fidelity::Full => (0..=study.most_modes()).collect(),
-            _ => (1..=study.most_modes()).collect(),
-        };
-        let variants: Vec<Variant> =
-            counts.iter().map(|count| study.variant(*count, &fidelity)).collect::<Result<_, _>>()?;
+        let choices = choices(study.most_modes(), &ranking, &fidelity);
+        let mut variants: BTreeMap<&Modes, Variant> = BTreeMap::new();
         for integrator in &budget.integrators {
             for (scalar, divisions) in
                 budget.scalars.iter().flat_map(|scalar| budget.divisions.iter().map(move |d| (*scalar, *d)))
             {
                 let step = budget.step / divisions.max(1) as f64;
                 let operations = budget.operations.of(scalar) / divisions.max(1) as f64;
-                for (modes, variant) in affordable(step, operations, *integrator, &counts, &variants) {
-                    let (fidelity, integrator) = (fidelity.clone(), *integrator);
-                    let configuration = Configuration { modes, fidelity, scalar, integrator, step };
-                    let one = run(study, &reference, variant, configuration, divisions.max(1));
+                let (mut tries, mut enough) = (0, 0);
+                for modes in &choices {
                     // fewer modes where iterations made the step too dear, or where it was too long for them
-                    let enough = one.error.is_ok() && one.share(budget) <= 1.0;
-                    tried.push(one);
-                    if enough {
+                    if modes.count() < enough || tries == TRIES {
                         break;
                     }
+                    let variant = match variants.entry(modes) {
+                        Entry::Occupied(known) => known.into_mut(),
+                        Entry::Vacant(place) => place.insert(study.variant(modes, &fidelity)?),
+                    };
+                    if !is_affordable(variant, step, operations, *integrator) {
+                        continue;
+                    }
+                    let (fidelity, integrator) = (fidelity.clone(), *integrator);
+                    let configuration =
+                        Configuration { modes: modes.clone(), fidelity, scalar, integrator, step };
+                    let one = run(study, &reference, variant, configuration, divisions.max(1));
+                    tries += 1;
+                    if one.error.is_ok() && one.share(budget) <= 1.0 {
+                        enough = modes.count();
+                    }
+                    tried.push(one);
                 }
             }
         }
@@ -144,7 +167,7 @@ fn choose(study: &Study, reference: Reference, budget: &StepBudget) -> Result<Pl
         a.0.total_cmp(&b.0).then(a.1.cmp(b.1))
     });
     match best.and_then(|best| kept(best).map(|error| (best.clone(), error))) {
-        Some((best, error)) => Ok(PlanWithin { best, error, tried, reference }),
+        Some((best, error)) => Ok(PlanWithin { best, error, tried, reference, ranking }),
         None => Err(TradeoffError::StepBudget {
             operations: budget.operations.double.max(budget.operations.single),
             step: budget.step,
@@ -153,21 +176,25 @@ fn choose(study: &Study, reference: Reference, budget: &StepBudget) -> Result<Pl
     }
 }
 
-/// The models that a step has time for and is stable with, those of most modes first.
-fn affordable<'a>(
-    step: f64,
-    allowed: f64,
-    integrator: Integrator,
-    counts: &[usize],
-    variants: &'a [Variant],
-) -> Vec<(usize, &'a Variant)> {
-    let fits = |variant: &Variant| {
-        let operations = variant.cost.operations * evaluations_per_step(integrator, 1.0);
-        let stable = variant.scene.mechanism.largest_stable_step().filter(|_| integrator.is_explicit());
-        operations <= allowed && stable.is_none_or(|stable| step <= stable)
-    };
-    let all = counts.iter().copied().zip(variants).rev();
-    all.filter(|(_, variant)| fits(variant)).take(TRIES).collect()
+/// So many modes, those of most first: the first ones, and those that take part most where these are others.
+fn choices(most: usize, ranking: &[usize], fidelity: &Fidelity) -> Vec<Modes> {
+    // without modes all fidelities are the same body
+    let least = usize::from(*fidelity != Fidelity::Full);
+    let counts = (least..=most).rev();
+    let both = counts.flat_map(|count| {
+        let (first, ranked) =
+            (Modes::first(count), Modes::listed(ranking.iter().copied().take(count).collect()));
+        let is_another = ranked != first;
+        std::iter::once(first).chain(is_another.then_some(ranked))
+    });
+    both.collect()
+}
+
+/// Whether a step has time for a model and is stable with it.
+fn is_affordable(variant: &Variant, step: f64, allowed: f64, integrator: Integrator) -> bool {
+    let operations = variant.cost.operations * evaluations_per_step(integrator, 1.0);
+    let stable = variant.scene.mechanism.largest_stable_step().filter(|_| integrator.is_explicit());
+    operations <= allowed && stable.is_none_or(|stable| step <= stable)
 }
 
 fn run(
