@@ -110,6 +110,11 @@ done
 if [ -x "$ffrf" ]; then
     CARGO=$CARGO FFRF_BUILD_FLAGS=$build_std "$ffrf" budget "$here/../models/conrod.ffrf.json" --modes 4 \
         --target cortex-m4f --scalar f32 --sources "$here/.." --folder "$built/budget" || differences=1
+    # a plan for this core, whose instructions are counted where they are predicted
+    CARGO=$CARGO FFRF_BUILD_FLAGS=$build_std "$ffrf" plan "$here/../models/scenes/slider_crank.toml" --quantity stroke \
+        --target cortex-m4f --clock 1.68e9 --scalar f32 --measure --sources "$here/.." --folder "$built/plan" > "$results/plan.txt"
+    grep -F "counted" "$results/plan.txt" || differences=1
+    ! grep -F "not counted" "$results/plan.txt" || differences=1
 else
     echo "SKIPPED: no budget, $ffrf is not built" >&2
 fi

@@ -20,9 +20,9 @@ pub fn run(arguments: &Inspect) -> Result<()> {
     output::say(&format!("{}\n", describe::checks(&checks)))?;
     // What is wrong is shown above; the generator takes no such body.
     checks.verdict().with_context(|| format!("{}", arguments.model.display()))?;
-    let fidelity = arguments.fidelity.clone().unwrap_or_else(|| Fidelity::richest_in_code(&body));
+    let fidelity = arguments.fidelity.clone().unwrap_or_else(|| Fidelity::richest(body.second_order_terms));
     if fidelity != arguments.fidelity.clone().unwrap_or_default() {
-        output::say(&format!("at fidelity {fidelity}, the richest that code of this body has\n\n"))?;
+        output::say(&format!("at fidelity {fidelity}, the richest that the body has\n\n"))?;
     }
     let options = GenerateOptions {
         fidelity,

@@ -23,6 +23,8 @@ mod markup;
 mod modes;
 mod output;
 pub mod plan;
+mod plan_on_target;
+mod plan_reasons;
 mod plan_within;
 mod plots;
 mod progress;

@@ -11,7 +11,7 @@ use ffrf_host::tradeoff::{
 
 use crate::arguments;
 use crate::trade_text::describe_reference;
-use crate::{output, plan_within};
+use crate::{output, plan_on_target, plan_reasons, plan_within};
 
 /// The tolerance of the reference of a measurement over that of the plan.
 const TIGHTER: f64 = 0.1;
@@ -30,7 +30,11 @@ pub struct Planned {
 
 /// Runs the command.
 pub fn run(arguments: &arguments::Plan) -> Result<()> {
-    let Some(error) = arguments.error else { return plan_within::run(arguments) };
+    let error = match (arguments.error, arguments.target) {
+        (Some(error), _) => error,
+        (None, Some(core)) => return plan_on_target::run(arguments, core),
+        (None, None) => return plan_within::run(arguments),
+    };
     let usual = PlanOptions::usual(error);
     let options = PlanOptions {
         quantities: arguments.quantity.clone(),
@@ -102,7 +106,7 @@ fn describe(title: &str, plan: &Plan, budget: f64, macro_calls: &str) -> String 
         INSTRUCTIONS_PER_OPERATION * per_step,
         describe_reference(&plan.reference)
     );
-    describe_models(&mut text, plan);
+    plan_reasons::describe(&mut text, plan, budget);
     text.push_str("\nintegrators: what the steps add, by pilot runs\n");
     for candidate in &plan.candidates {
         let end = match candidate.step {
@@ -131,34 +135,4 @@ fn describe(title: &str, plan: &Plan, budget: f64, macro_calls: &str) -> String 
         );
     }
     text
-}
-
-/// Modes and terms, what they do in the scene and why they are kept or dropped.
-fn describe_models(text: &mut String, plan: &Plan) {
-    if !plan.motion.modes.is_empty() {
-        text.push_str("\nmodes: what they do in the motion of the whole model\n");
-    }
-    for mode in &plan.motion.modes {
-        let verdict = if mode.mode <= plan.configuration.modes { "kept" } else { "dropped" };
-        let _ = writeln!(
-            text,
-            "  {} {}: {:.4} Hz, moves markers by up to {:.1e} m, {:.1e} of the elastic energy: {verdict}",
-            mode.body, mode.mode, mode.frequency, mode.displacement, mode.energy_share
-        );
-    }
-    if !plan.motion.terms.is_empty() {
-        text.push_str("\nterms of the kinetic energy: their largest share of it in the scene\n");
-    }
-    for term in &plan.motion.terms {
-        let verdict = match (plan.configuration.modes, plan.configuration.fidelity.keeps(term.term)) {
-            (0, _) => "kept as far as a rigid body has it",
-            (_, true) => "kept",
-            (_, false) => "dropped",
-        };
-        let _ = writeln!(text, "  {} {}: {:.1e}: {verdict}", term.body, term.term.name(), term.share);
-    }
-    text.push_str("\nmodels: their error with exact steps\n");
-    for choice in &plan.models {
-        let _ = writeln!(text, "  {} modes, {}: {:.2e}", choice.modes, choice.fidelity, choice.error);
-    }
 }

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use anyhow::{Context, Result, bail};
 use ffrf_host::scene::StepChoice;
 use ffrf_host::tradeoff::{
-    Finding, INSTRUCTIONS_PER_OPERATION, PlanOptions, PlanWithin, Reference, ReferenceOptions, StepBudget,
-    Study, plan_within, run as run_one,
+    Finding, INSTRUCTIONS_PER_OPERATION, Operations, PlanOptions, PlanWithin, Reference, ReferenceOptions,
+    StepBudget, Study, plan_within, run as run_one,
 };
 
 use crate::trade_text::describe_reference;
@@ -33,7 +33,8 @@ pub fn run(arguments: &arguments::Plan) -> Result<()> {
     let usual = PlanOptions::usual(f64::INFINITY);
     let budget = StepBudget {
         step,
-        operations: time * rate,
+        operations: Operations { double: time * rate, single: time * rate },
+        divisions: vec![1],
         quantities: arguments.quantity.clone(),
         integrators: arguments.integrator.clone().unwrap_or(usual.integrators),
         scalars: arguments.scalar.clone().unwrap_or(usual.scalars),
@@ -42,22 +43,29 @@ pub fn run(arguments: &arguments::Plan) -> Result<()> {
     let title = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let mut text = describe(&study, &title, &found, &budget, [time, rate]);
     if arguments.measure {
-        let tolerance = TIGHTER * found.reference.tolerance;
-        let reference = Reference::compute(&study, &budget.quantities, ReferenceOptions { tolerance })
-            .with_context(in_scene)?;
-        let one = &found.best.configuration;
-        let variant = study.variant(one.modes, &one.fidelity)?;
-        let _ = match run_one(&study, &variant, &reference, one).finding {
-            Finding::Failed(reason) => writeln!(text, "\nmeasured\n  failed: {reason}"),
-            Finding::Finished(measured) => writeln!(
-                text,
-                "\nmeasured\n  error {:.2e}; own error of its reference {:.1e}",
-                measured.error(),
-                reference.own_error()
-            ),
-        };
+        text.push_str(&measured(&study, &found, &budget).with_context(in_scene)?);
     }
     output::write(arguments.output.as_deref(), &text)
+}
+
+/// Runs what was chosen, against a reference that is more exact than that of the plan.
+pub(crate) fn measured(study: &Study, found: &PlanWithin, budget: &StepBudget) -> Result<String> {
+    // the times at which the plan compares
+    let sampled = study.in_steps_of(budget.step);
+    let study = sampled.as_ref().unwrap_or(study);
+    let tolerance = TIGHTER * found.reference.tolerance;
+    let reference = Reference::compute(study, &budget.quantities, ReferenceOptions { tolerance })?;
+    let one = &found.best.configuration;
+    let variant = study.variant(one.modes, &one.fidelity)?;
+    Ok(match run_one(study, &variant, &reference, one).finding {
+        Finding::Failed(reason) => format!("\nmeasured\n  failed: {reason}\n"),
+        Finding::Finished(measured) => format!(
+            "\nmeasured\n  error {:.2e}: {:.2} of what was planned; own error of its reference {:.1e}\n",
+            measured.error(),
+            measured.error() / found.error,
+            reference.own_error()
+        ),
+    })
 }
 
 /// What was chosen, and everything that there was time for.
@@ -74,7 +82,7 @@ fn describe(
          operations\n\n{} modes, {}, {}, {}\nerror {:.2e} in a run of the scene\ncost, of compiled code and estimated: {:.3e} \
          operations, about {:.1e} instructions, per step: {:.0} % of what there is time for\n\n{}",
         budget.step,
-        budget.operations,
+        budget.operations.double,
         one.modes,
         one.fidelity,
         one.scalar.name(),
@@ -82,15 +90,21 @@ fn describe(
         found.error,
         found.best.operations,
         INSTRUCTIONS_PER_OPERATION * found.best.operations,
-        100.0 * found.best.operations / budget.operations,
+        100.0 * found.best.share(budget),
         describe_reference(&found.reference)
     );
-    text.push_str(
+    text.push_str(&tried_and_calls(study, title, found));
+    text
+}
+
+/// Everything that was run, and the calls of the macros that make what was chosen.
+pub(crate) fn tried_and_calls(study: &Study, title: &str, found: &PlanWithin) -> String {
+    let mut text = String::from(
         "\nfor each kind of model the most modes that there is time for, and that the step is stable with\n",
     );
     for one in &found.tried {
         let _ = writeln!(text, "  {}", one.describe());
     }
-    let _ = writeln!(text, "\n{}", study.macro_calls(title, one).trim_end());
+    let _ = writeln!(text, "\n{}", study.macro_calls(title, &found.best.configuration).trim_end());
     text
 }

@@ -16,17 +16,6 @@ pub enum CodegenError {
     /// The body lacks a term of the fidelity.
     #[error(transparent)]
     Fidelity(#[from] FidelityError),
-    /// The stress stiffness of loads at markers acts in scenes only.
-    #[error(
-        "the body holds the stress stiffness of loads at markers ({markers}), which code does not have yet and fidelity {fidelity} \
-         keeps: expected a fidelity without stiffening terms (unstiffened), or a body reduced without --load-stiffness"
-    )]
-    LoadStiffness {
-        /// The markers.
-        markers: String,
-        /// The fidelity.
-        fidelity: String,
-    },
     /// The layout tolerance must be a small relative number.
     #[error("layout tolerance must be at least 0 and below 1, found {found}")]
     LayoutTolerance {

@@ -21,7 +21,7 @@
 
 use std::collections::BTreeSet;
 
-use ffrf_model::{ReducedBody, SecondOrderTerms};
+use ffrf_model::SecondOrderTerms;
 
 /// One term of the kinetic energy, as the user may keep or drop it.
 ///
@@ -180,16 +180,9 @@ impl Fidelity {
         EnergyTerm::ALL.into_iter().any(|term| term.is_stiffening() && self.keeps(term))
     }
 
-    /// Whether it keeps the stress stiffness of loads at some marker of this body, which generated code does not have.
-    pub(crate) fn keeps_load_of(&self, body: &ReducedBody) -> bool {
-        let loads = body.geometric_stiffness.as_ref().map_or(0, |geometric| geometric.marker_loads.len());
-        loads > 0 && self.keeps_load_stiffness()
-    }
-
-    /// The level with most terms that generated code of this body can have.
-    pub fn richest_in_code(body: &ReducedBody) -> Self {
-        let had =
-            |level: &Self| level.check_held(body.second_order_terms).is_ok() && !level.keeps_load_of(body);
+    /// The level with most terms of a body that holds these terms of second order.
+    pub fn richest(held: SecondOrderTerms) -> Self {
+        let had = |level: &Self| level.check_held(held).is_ok();
         Self::LEVELS.into_iter().rev().find(had).unwrap_or(Self::Rigid)
     }
 

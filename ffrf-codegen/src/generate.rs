@@ -100,17 +100,6 @@ pub(crate) fn prepare_c(body: &ReducedBody, options: &GenerateOptions) -> Result
     Ok(emit::c_kernel(&kernel, options, formulated.body.mode_count()))
 }
 
-/// Markers whose rows follow the deformation are not generated: code that left them out in silence would compute something else than
-/// scenes do.
-fn refuse_load_stiffness(body: &ReducedBody, options: &GenerateOptions) -> Result<(), CodegenError> {
-    if !options.fidelity.keeps_load_of(body) {
-        return Ok(());
-    }
-    let loads = body.geometric_stiffness.iter().flat_map(|it| &it.marker_loads);
-    let markers: Vec<&str> = loads.map(|load| load.marker.as_str()).collect();
-    Err(CodegenError::LoadStiffness { markers: markers.join(", "), fidelity: options.fidelity.to_string() })
-}
-
 /// A body as expressions, whether its invariants are numbers or symbols.
 struct Formulated {
     /// The model that the numbers are from.
@@ -125,7 +114,6 @@ impl Formulated {
     fn baked(body: &ReducedBody, options: &GenerateOptions) -> Result<Self, CodegenError> {
         let source = Source::of(body)?;
         let model = prepare(body, options)?;
-        refuse_load_stiffness(&model, options)?;
         let mut graph = Graph::new();
         let body = BodyExpressions::baked(&mut graph, &model, options.layout_tolerance)
             .truncated(&mut graph, &options.fidelity);

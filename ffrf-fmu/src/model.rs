@@ -20,6 +20,8 @@ pub struct Model {
     pub(crate) file: SceneFile,
     /// Where the files are that the scene names.
     pub(crate) folder: PathBuf,
+    /// Name of the scene file.
+    pub(crate) source_name: String,
     /// What other tools set and read; a variable's place is its value reference.
     pub variables: Vec<Variable>,
     /// What tells FMUs apart: two with the same token do the same.
@@ -103,6 +105,9 @@ impl Model {
             experiment: (scene.settings.duration, scene.settings.output_step, file.simulation.tolerance),
             file,
             folder,
+            source_name: path
+                .file_name()
+                .map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
             variables,
             files,
         })
@@ -140,14 +145,17 @@ fn content(path: &Path) -> Result<Vec<u8>, ModelError> {
 
 /// The fingerprint of all files and of the version that reads them.
 fn token(files: &[(String, Vec<u8>)]) -> String {
+    fingerprint(files.iter().flat_map(|(path, bytes)| [path.as_bytes(), bytes]))
+}
+
+/// The fingerprint of parts, and of this version.
+pub(crate) fn fingerprint<'a>(parts: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut hash = Sha256::new();
     hash.update(crate::MARK);
-    for (path, bytes) in files {
+    for part in parts {
         // lengths keep neighbours apart
-        for part in [path.as_bytes(), bytes] {
-            hash.update((part.len() as u64).to_le_bytes());
-            hash.update(part);
-        }
+        hash.update((part.len() as u64).to_le_bytes());
+        hash.update(part);
     }
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -54,7 +54,7 @@ fn law() -> BTreeMap<&'static str, Allowed> {
             ),
         ),
         ("ffrf-c-interface", entry(&["ffrf"], &[])),
-        ("ffrf-fmu", entry(&["ffrf-host"], &["sha2", "thiserror"])),
+        ("ffrf-fmu", entry(&["ffrf-codegen", "ffrf-host"], &["sha2", "thiserror"])),
         ("ffrf-python", entry(&["ffrf-cli", "ffrf-host", "ffrf-model"], &["anyhow", "pyo3", "serde_json"])),
         (
             "ffrf-test-kit",

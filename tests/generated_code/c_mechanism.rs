@@ -225,6 +225,13 @@ fn mechanisms_in_c_move_as_on_the_desktop() {
         case("every joint, explicit", every_joint("rk4"), 200, 1.0, 1.0),
         case("every joint, implicit", every_joint("linearly_implicit"), 200, 10.0, 10.0),
     ];
+    let folder = tempfile::tempdir().unwrap();
+    let loaded = |integrator| crate::loaded_markers::scene(folder.path(), integrator, "full");
+    let cases = cases.into_iter().chain([
+        case("loaded markers, explicit", loaded("rk4"), 500, 10.0, 10.0),
+        case("loaded markers, implicit", loaded("linearly_implicit"), 500, 10.0, 10.0),
+    ]);
+    let cases: Vec<Case> = cases.collect();
     let single = ["double pendulum", "stiff slider-crank"];
     let off: Vec<String> = cases
         .iter()

@@ -9,6 +9,7 @@ mod c_program;
 mod c_step;
 mod committed;
 mod jacobians;
+mod loaded_markers;
 #[rustfmt::skip]
 #[path = "../golden/constant_m2.rs"]
 mod constant_m2;

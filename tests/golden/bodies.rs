@@ -1,7 +1,7 @@
 //! The bodies whose generated code is committed: which model, by which options.
 
 use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, ScalarType, Strategy};
-use ffrf_model::{ReducedBody, SectionMarker, StressMarker};
+use ffrf_model::{MarkerLoadStiffness, ReducedBody, SectionMarker, StressMarker};
 
 use ffrf_test_kit::random::Random;
 use ffrf_test_kit::random_body::{Modes, random_body, stiffened};
@@ -49,7 +49,11 @@ pub fn all() -> Vec<(&'static str, ReducedBody, GenerateOptions)> {
         ),
         (
             "stiffened_m2",
-            with_section(with_stress(stiffened(random_body(9, 2, Modes::Normalised), 10, STIFFENING))),
+            with_loads(with_section(with_stress(stiffened(
+                random_body(9, 2, Modes::Normalised),
+                10,
+                STIFFENING,
+            )))),
             options("StiffenedBody"),
         ),
         (
@@ -63,11 +67,33 @@ pub fn all() -> Vec<(&'static str, ReducedBody, GenerateOptions)> {
 /// Size of the geometric stiffness, beside masses of modes of about one.
 const STIFFENING: f64 = 0.1;
 
+/// The same of loads at markers, beside rows of about one: what amplitudes of some tenths change them by is a few percent.
+const LOAD_STIFFENING: f64 = 0.3;
+
 /// As in mean axes: no stress of a linear acceleration, which loops over lanes do not know.
 fn stiffened_without_linear_acceleration() -> ReducedBody {
     let mut body = stiffened(random_body(10, 3, Modes::Normalised), 11, STIFFENING);
     if let Some(geometric) = &mut body.geometric_stiffness {
         geometric.uniform_load.iter_mut().flatten().for_each(|load| *load = [0.0; 3]);
+    }
+    body
+}
+
+/// With the stress stiffness of loads at both markers, of random numbers.
+fn with_loads(mut body: ReducedBody) -> ReducedBody {
+    let (mut random, modes) = (Random::new(13), body.mode_count());
+    if let Some(geometric) = &mut body.geometric_stiffness {
+        let loads = body.markers.iter().map(|marker| {
+            let mut stiffness = vec![vec![[0.0; 6]; modes]; modes];
+            for mu in 0..modes {
+                for nu in mu..modes {
+                    stiffness[mu][nu] = std::array::from_fn(|_| LOAD_STIFFENING * random.number());
+                    stiffness[nu][mu] = stiffness[mu][nu];
+                }
+            }
+            MarkerLoadStiffness { marker: marker.name.clone(), stiffness }
+        });
+        geometric.marker_loads = loads.collect();
     }
     body
 }

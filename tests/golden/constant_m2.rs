@@ -67,6 +67,7 @@ impl ConstantBody {
             ::ffrf::generated_support::vector([0.04814940458274097, -0.09897356613109382]),
             ::ffrf::generated_support::vector([0.05132670216539806, 0.05623602238407582]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -84,6 +85,7 @@ impl ConstantBody {
             ::ffrf::generated_support::vector([-0.011197134879955134, -0.05724504107514386]),
             ::ffrf::generated_support::vector([-0.06340626388490864, 0.049803807290506846]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

@@ -65,22 +65,6 @@ enum { POSITION, VELOCITY, ACCELERATION, ORIENTATION, TURN, REACTION_FORCE, REAC
 #define QUARTER_LOW 6.223372171896613e-14 /* a quarter turn in three parts */
 #define LARGEST_ANGLE 3373259425.0 /* of a driven joint, rad */
 
-/* A node in the order of elimination: its unknowns, its diagonal block, and what is coupled to it when its turn comes. */
-typedef struct {
-    int size;
-    int node;
-    int diagonal;
-    int couplings;
-    int coupling_count;
-    int targets;
-} step_place;
-
-/* A later node. */
-typedef struct {
-    int size;
-    int node;
-} coupling_place;
-
 /* One end of a joint on a body; -1 on the ground. */
 typedef struct {
     int end;
@@ -114,6 +98,22 @@ typedef struct {
     int held;
     real length;
 } relation;
+
+/* A node in the order of elimination: its unknowns, its diagonal block, and what is coupled to it when its turn comes. */
+typedef struct {
+    int size;
+    int node;
+    int diagonal;
+    int couplings;
+    int coupling_count;
+    int targets;
+} step_place;
+
+/* A later node. */
+typedef struct {
+    int size;
+    int node;
+} coupling_place;
 
 /* A body without modes. */
 typedef struct {
@@ -655,8 +655,9 @@ static void body_velocities(const body_work *body, const real *increment, real *
 }
 
 /* Adds the force of uniform gravity. */
-static void weigh(int index, body_work *body)
+static void weigh(int index, workspace *work)
 {
+    body_work *body = &work->bodies[index];
     real along[3];
     real moment[3];
     components_along(body->axes, gravity, along);
@@ -904,13 +905,14 @@ static real relative_angle(const motion at[2])
 }
 
 /* Adds gravity, force elements and actuators. */
-static void load(const mechanism_inputs *inputs, workspace *work)
+static void load(const mechanism_inputs *inputs, real time, workspace *work)
 {
     int index;
     for (index = 0; index < BODIES; index++) {
-        weigh(index, &work->bodies[index]);
+        weigh(index, work);
     }
     (void)inputs;
+    (void)time;
 }
 
 /* Puts the rows of a link on one of its bodies into the matrix; of a joint in a loop, sums what its rows meet there. */
@@ -1116,7 +1118,7 @@ static int evaluate(const mechanism_inputs *inputs, real time, const stage_terms
     int status;
     fill(6 * NODES, (real)0, work->shift);
     prepare_all(work);
-    load(inputs, work);
+    load(inputs, time, work);
     status = evaluate_links(time, terms->gamma_h, work);
     if (status == DONE) {
         status = factor(terms, work);
@@ -1238,8 +1240,13 @@ static void apply_correction(int is_velocity, workspace *work)
     }
 }
 
-/* Projects positions, then velocities, of the state of the workspace on the joints. Gives a status. */
-static int project(real time, real gamma_h, workspace *work)
+/*
+ * Projects positions, then velocities, of the state of the workspace on the joints, by so many corrections of each. Modes and
+ * soft links resist as in a stage with their gamma h. Gives a status.
+ */
+static int project(
+    real time, real gamma_h, real soft_gamma_h, int corrections, real tolerance, workspace *work
+)
 {
     stage_terms terms;
     real left[2];
@@ -1256,7 +1263,7 @@ static int project(real time, real gamma_h, workspace *work)
     terms.increment = NULL;
     fill(6 * NODES, (real)0, work->shift);
     prepare_all(work);
-    status = evaluate_links(time, gamma_h, work);
+    status = evaluate_links(time, soft_gamma_h, work);
     if (status != DONE) {
         return status;
     }
@@ -1264,7 +1271,7 @@ static int project(real time, real gamma_h, workspace *work)
     smallest_residuals(work, enough);
     for (level = 0; level < 2; level++) {
         const real least = larger(enough[level], ENOUGH_PROJECTED * left[level]);
-        for (pass = 0; pass < CORRECTIONS; pass++) {
+        for (pass = 0; pass < corrections; pass++) {
             if (left[level] <= least) {
                 break;
             }
@@ -1277,14 +1284,14 @@ static int project(real time, real gamma_h, workspace *work)
             }
             correct(level, work);
             apply_correction(level, work);
-            status = evaluate_links(time, gamma_h, work);
+            status = evaluate_links(time, soft_gamma_h, work);
             if (status != DONE) {
                 return status;
             }
             residuals(work, left);
         }
     }
-    return left[0] <= TOLERANCE ? DONE : JOINTS_NOT_MET;
+    return left[0] <= tolerance ? DONE : JOINTS_NOT_MET;
 }
 
 static int state_is_finite(const mechanism_state *state)
@@ -1317,7 +1324,7 @@ static int finish(mechanism_state *state, const real *slope, real h, real gamma_
     if (!state_is_finite(&work->state)) {
         return NOT_FINITE;
     }
-    status = project(state->time + h, gamma_h, work);
+    status = project(state->time + h, gamma_h, gamma_h, CORRECTIONS, TOLERANCE, work);
     if (status != DONE) {
         return status;
     }
@@ -1378,7 +1385,8 @@ void double_pendulum_start(mechanism_state *state)
 
 int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *inputs, double_pendulum_outputs *outputs)
 {
-    workspace work;
+    workspace space;
+    workspace *work = &space;
     stage_terms terms;
     int status;
     int index;
@@ -1389,8 +1397,8 @@ int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *i
     if (!(state_is_finite(state) && is_finite(state->time))) {
         return DOUBLE_PENDULUM_STATE_NOT_FINITE;
     }
-    work.state = *state;
-    status = evaluate(inputs, state->time, &terms, &work);
+    work->state = *state;
+    status = evaluate(inputs, state->time, &terms, work);
     if (status != DONE) {
         return status;
     }
@@ -1399,7 +1407,7 @@ int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *i
         real *values = &outputs->values[one->first];
         real vector[3] = {(real)0, (real)0, (real)0};
         motion at;
-        attachment_motion(&one->at, &work, &at);
+        attachment_motion(&one->at, work, &at);
         switch (one->kind) {
         case POSITION:
             copy(3, at.position, values);
@@ -1414,8 +1422,8 @@ int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *i
             if (one->at.marker >= 0) {
                 placed_marker placed;
                 real twist[6];
-                place_marker(one->at.marker, &work, &placed);
-                marker_twist(&placed, work.bodies[placed.body].result, twist);
+                place_marker(one->at.marker, work, &placed);
+                marker_twist(&placed, work->bodies[placed.body].result, twist);
                 copy(3, twist, vector);
             }
             for (k = 0; k < 3; k++) {
@@ -1423,7 +1431,7 @@ int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *i
             }
             break;
         case TURN:
-            values[0] = relative_angle(work.at[one->link]);
+            values[0] = relative_angle(work->at[one->link]);
             break;
         default:
             break;
@@ -1431,4 +1439,48 @@ int double_pendulum_read(const mechanism_state *state, const mechanism_inputs *i
     }
     return DONE;
 }
+
+int double_pendulum_observe(const mechanism_state *state, double_pendulum_observables *observed)
+{
+    workspace space;
+    workspace *work = &space;
+    real left[2];
+    int status;
+    int index;
+    int k;
+    if (!(state_is_finite(state) && is_finite(state->time))) {
+        return DOUBLE_PENDULUM_STATE_NOT_FINITE;
+    }
+    work->state = *state;
+    prepare_all(work);
+    status = evaluate_links(state->time, (real)0, work);
+    if (status != DONE) {
+        return status;
+    }
+    observed->kinetic = (real)0;
+    observed->elastic = (real)0;
+    observed->potential = (real)0;
+    for (index = 0; index < BODIES; index++) {
+        const body_state *at = &state->bodies[index];
+        const body_work *body = &work->bodies[index];
+        real moving[VELOCITIES];
+        real momentum[VELOCITIES];
+        real moment[3];
+        components_along(body->axes, at->velocity, &moving[0]);
+        copy(3, at->omega, &moving[3]);
+        fill(VELOCITIES, (real)0, momentum);
+        subtract_momentum(index, body, moving, momentum);
+        for (k = 0; k < VELOCITIES; k++) {
+            observed->kinetic -= momentum[k] * moving[k] * (real)0.5;
+        }
+        along_axes(body->axes, body->first_moment, moment);
+        add_scaled(3, body->mass, at->position, moment);
+        observed->potential -= dot(gravity, moment);
+    }
+    residuals(work, left);
+    observed->position_drift = left[0];
+    observed->velocity_drift = left[1];
+    return DONE;
+}
+
 

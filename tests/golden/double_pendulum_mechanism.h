@@ -94,6 +94,21 @@ int double_pendulum_step(double_pendulum_state *state, const double_pendulum_inp
 /* Reads the sensors in a state: one evaluation of accelerations and reactions. */
 int double_pendulum_read(const double_pendulum_state *state, const double_pendulum_inputs *inputs, double_pendulum_outputs *outputs);
 
+/*
+ * Energies and how far the joints are from being met. `potential`: of gravity and of force elements. Units: J; largest
+ * residual of positions m or rad, of velocities that per second.
+ */
+typedef struct {
+    double kinetic;
+    double elastic;
+    double potential;
+    double position_drift;
+    double velocity_drift;
+} double_pendulum_observables;
+
+/* Observes a state: no system of equations is solved for it. */
+int double_pendulum_observe(const double_pendulum_state *state, double_pendulum_observables *observed);
+
 #ifdef __cplusplus
 }
 #endif

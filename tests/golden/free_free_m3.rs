@@ -82,6 +82,7 @@ impl FreeFreeBody {
                 0.07667851270562434, -0.03679288536242504, -0.0874459292178798,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -111,6 +112,7 @@ impl FreeFreeBody {
                 -0.04039527133372005, 0.04394450458243178, -0.060258611306697706,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

@@ -67,6 +67,7 @@ impl GeneralBody {
             ::ffrf::generated_support::vector([0.07519297145251227, -0.072400647316341]),
             ::ffrf::generated_support::vector([0.032997822901168705, 0.11371422003330192]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -84,6 +85,7 @@ impl GeneralBody {
             ::ffrf::generated_support::vector([-0.07135213733732063, -0.05670375029492308]),
             ::ffrf::generated_support::vector([0.04738472226250909, 0.07596121277260234]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

@@ -67,6 +67,7 @@ impl GenericBody {
             ::ffrf::generated_support::vector([-0.08738103368526237, -0.0035619094519378784]),
             ::ffrf::generated_support::vector([0.03733505636193576, -0.029752450103528793]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -84,6 +85,7 @@ impl GenericBody {
             ::ffrf::generated_support::vector([-0.04530862835682957, 0.025767637578232774]),
             ::ffrf::generated_support::vector([0.0004547143564354095, -0.0927902447702623]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

@@ -69,6 +69,7 @@ impl JacobianBody {
             ::ffrf::generated_support::vector([0.027690339038493904, 0.006190601009802829]),
             ::ffrf::generated_support::vector([-0.02056005273900967, -0.07329348905081155]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -86,6 +87,7 @@ impl JacobianBody {
             ::ffrf::generated_support::vector([0.03901122927196033, -0.06122955474389934]),
             ::ffrf::generated_support::vector([-0.0892764617485473, 0.015333775152873371]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

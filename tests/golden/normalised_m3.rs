@@ -82,6 +82,7 @@ impl NormalisedBody {
                 0.033369120761658363, 0.05537195559488784, -0.0651762114787981,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -111,6 +112,7 @@ impl NormalisedBody {
                 0.05290152605655969, -0.03131982755429124, 0.05300074647050985,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

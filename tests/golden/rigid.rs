@@ -67,6 +67,7 @@ impl RigidBody {
             ::ffrf::generated_support::vector([]),
             ::ffrf::generated_support::vector([]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -84,6 +85,7 @@ impl RigidBody {
             ::ffrf::generated_support::vector([]),
             ::ffrf::generated_support::vector([]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

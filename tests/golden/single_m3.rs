@@ -68,6 +68,7 @@ impl SingleBody {
             ::ffrf::generated_support::vector([0.022222959, -0.03851014, -1.0912082e-5]),
             ::ffrf::generated_support::vector([0.07227599, -0.06156567, -0.06696242]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -83,6 +84,7 @@ impl SingleBody {
             ::ffrf::generated_support::vector([-0.07312387, 0.009418846, -0.0019636417]),
             ::ffrf::generated_support::vector([0.022871045, 0.0578471, 0.034047402]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

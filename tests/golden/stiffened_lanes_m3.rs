@@ -76,6 +76,7 @@ impl StiffenedLanes {
                 0.06338516075963763, -0.025294741943874186, -0.044515959834315826,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 
     /// Marker `root`. Units: m, and per unit modal coordinate; a row for each axis. Frame: body.
@@ -105,6 +106,7 @@ impl StiffenedLanes {
                 0.012342220959304128, -0.01319442837428828, 0.08503513514408535,
             ]),
         ],
+        stressing: ::core::option::Option::None,
     };
 }
 

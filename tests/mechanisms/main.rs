@@ -9,6 +9,7 @@ mod friction;
 mod kinds;
 mod misassembled;
 mod pendulum;
+mod planned;
 mod saved;
 mod scalars;
 mod scene;

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 /* Size of an object. */
-#define SLIDER_CRANK_DOUBLES 256
+#define SLIDER_CRANK_DOUBLES 272
 /*
  * Numbers of a state: time, moment of the motor; then of crank, rod, piston each: position (3), orientation (4, scalar
  * first), modal coordinates (the rod: 4), velocity (3), angular velocity (3, body frame), modal rates (the rod: 4).

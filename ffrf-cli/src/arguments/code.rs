@@ -18,7 +18,7 @@ pub struct Inspect {
     #[arg(long, value_name = "N|A..B|A,B,C")]
     pub modes: Option<ModeSelection>,
     /// Which terms of the kinetic energy are kept: rigid, constant, linear, unstiffened, full, or a list of terms (default: the level
-    /// with most terms that code of this body can have).
+    /// with most terms that the body has).
     #[arg(long, value_name = "LEVEL|TERM,TERM,...")]
     pub fidelity: Option<Fidelity>,
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.

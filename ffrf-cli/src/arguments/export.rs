@@ -23,7 +23,8 @@ pub enum ExportFormat {
 const EXAMPLE: &str = "\
 Examples:
   ffrf export fmu crane.toml -o crane.fmu
-  ffrf export fmu crane.toml --fmi 2 -o crane.fmu";
+  ffrf export fmu crane.toml --fmi 2 -o crane.fmu
+  ffrf export fmu crane.toml --c-sources -o crane.fmu";
 
 /// A version of the Functional Mock-up Interface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -56,4 +57,11 @@ pub struct ExportFmu {
     /// Build the library with cargo from this folder of the ffrf sources.
     #[arg(long, value_name = "FOLDER", conflicts_with = "library")]
     pub sources: Option<PathBuf>,
+    /// Put the mechanism inside as C sources, with a binary made of them, in place of the library and the scene: for scenes
+    /// that `ffrf generate --language c` prints.
+    #[arg(long, conflicts_with_all = ["library", "sources"])]
+    pub c_sources: bool,
+    /// The C compiler that makes the binary of the sources, or `none` for sources without one (default: cc, gcc or clang).
+    #[arg(long, value_name = "CC", requires = "c_sources")]
+    pub compiler: Option<String>,
 }

@@ -7,6 +7,8 @@ use ffrf_codegen::{Fidelity, ScalarType};
 use ffrf_host::scene::Integrator;
 use ffrf_host::tradeoff::Quantity;
 
+use super::Core;
+
 /// Arguments of `ffrf tradeoff`.
 #[derive(Debug, Args)]
 pub struct Tradeoff {
@@ -47,33 +49,68 @@ pub struct Plan {
     /// Scene file (TOML).
     pub scene: PathBuf,
     /// The budget: the largest error over time, over the scale of each quantity.
-    #[arg(long, value_name = "ERROR", value_parser = parse_positive, required_unless_present = "time_per_step")]
+    #[arg(long, value_name = "ERROR", value_parser = parse_positive, required_unless_present_any = ["time_per_step", "target"])]
     pub error: Option<f64>,
     /// The budget: the time that one step may take on the target (s); with `--operations-per-second`.
     #[arg(long, value_name = "SECONDS", value_parser = parse_positive, conflicts_with = "error", requires = "operations_per_second")]
     pub time_per_step: Option<f64>,
     /// Floating-point operations of compiled code that the target does in a second: its clock over cycles per instruction and
     /// about six instructions for each operation.
-    #[arg(long, value_name = "RATE", value_parser = parse_positive, requires = "time_per_step")]
+    #[arg(long, value_name = "RATE", value_parser = parse_positive, requires = "time_per_step", conflicts_with_all = ["error", "target"])]
     pub operations_per_second: Option<f64>,
     /// The step with `--time-per-step`, the period of a control loop (s; default: the step of the scene).
-    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, requires = "time_per_step")]
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, requires = "time_per_step", conflicts_with_all = ["error", "target"])]
     pub step: Option<f64>,
+    /// The budget: a tick of a controller on this core, in which the steps of the tick must end.
+    #[arg(long, value_name = "CORE", conflicts_with_all = ["error", "time_per_step"])]
+    pub target: Option<Core>,
+    /// What a target is, and where instructions are counted.
+    #[command(flatten)]
+    pub on_target: OnTarget,
     /// Take errors in this: a sensor, `reaction` (all joints) or `energy`. Repeatable (default: every sensor).
     #[arg(long, value_name = "QUANTITY")]
     pub quantity: Vec<Quantity>,
-    /// Integrators to choose from (default: rk4, dopri5, linearly_implicit, generalized_alpha).
+    /// Integrators to choose from (default: rk4, dopri5, linearly_implicit, generalized_alpha; with --target those of fixed
+    /// cost, rk4 and linearly_implicit).
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_integrator)]
     pub integrator: Option<Vec<Integrator>>,
     /// Number types to choose from: f64, f32 (default: both; f32 where its rounding is small against the budget).
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_scalar)]
     pub scalar: Option<Vec<ScalarType>>,
-    /// Run what was planned, and compare with a reference that is more exact than that of the plan.
+    /// Run what was planned, and compare with a reference that is more exact than that of the plan; with --target also count
+    /// its instructions in the emulator, and plan again where they are not what was predicted.
     #[arg(long)]
     pub measure: bool,
     /// Write the plan to this file instead of standard output.
     #[arg(short, long, value_name = "PLAN.txt")]
     pub output: Option<PathBuf>,
+}
+
+/// Budgets that a target has no part in. An argument that requires another which one of these excludes would be taken and not
+/// read, so that each names them.
+const OTHER_BUDGETS: [&str; 2] = ["error", "time_per_step"];
+
+/// The target of `ffrf plan --target`.
+#[derive(Debug, Args)]
+pub struct OnTarget {
+    /// The period of the controller (s).
+    #[arg(long, value_name = "SECONDS", value_parser = parse_positive, default_value_t = 1e-3, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
+    pub tick: f64,
+    /// The clock of the core (Hz; default: 168e6 for cortex-m4f, 480e6 for cortex-m7).
+    #[arg(long, value_name = "HZ", value_parser = parse_positive, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
+    pub clock: Option<f64>,
+    /// Cycles that an instruction takes on average, memory included: 1 at best, measure it on your board.
+    #[arg(long, value_name = "CYCLES", value_parser = parse_positive, default_value_t = 2.0, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
+    pub cycles_per_instruction: f64,
+    /// The share of a tick that there is for the steps.
+    #[arg(long, value_name = "SHARE", value_parser = parse_share, default_value_t = 1.0, requires = "target", conflicts_with_all = OTHER_BUDGETS)]
+    pub share: f64,
+    /// Folder of the ffrf sources, whose `firmware/` has what programs on the target need (with --measure).
+    #[arg(long, value_name = "FOLDER", default_value = ".", requires_all = ["target", "measure"], conflicts_with_all = OTHER_BUDGETS)]
+    pub sources: PathBuf,
+    /// Where programs are written and built (with --measure; default: firmware/target/budget in the sources).
+    #[arg(long, value_name = "FOLDER", requires_all = ["target", "measure"], conflicts_with_all = OTHER_BUDGETS)]
+    pub folder: Option<PathBuf>,
 }
 
 /// A level, or terms separated by commas.
@@ -99,6 +136,13 @@ pub(super) fn parse_positive(text: &str) -> Result<f64, String> {
         Ok(number) if number > 0.0 && number.is_finite() => Ok(number),
         _ => Err(format!("expected a positive number, found {text}")),
     }
+}
+
+fn parse_share(text: &str) -> Result<f64, String> {
+    parse_positive(text)
+        .ok()
+        .filter(|share| *share <= 1.0)
+        .ok_or_else(|| format!("expected a share above 0 and up to 1, found {text}"))
 }
 
 fn parse_count(text: &str) -> Result<usize, String> {

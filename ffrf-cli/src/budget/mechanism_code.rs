@@ -18,12 +18,16 @@ pub fn invocation(file: &SceneFile, scene: &Scene, types: &BodyTypes, scalar: &s
     let mut text =
         String::from("ffrf::mechanism! {\n    /// The scene.\n    pub struct Model {\n        bodies: {\n");
     let numbered = file.bodies.iter().zip(types).enumerate();
-    for (number, ((_, table), type_name)) in numbered {
+    for (number, ((name, table), type_name)) in numbered {
+        let free = if writer.is_held(name) { "" } else { "free " };
         let _ = match (type_name, table.mass, table.inertia) {
-            (Some(type_name), ..) => writeln!(text, "            body_{number}: {type_name},"),
+            (Some(type_name), ..) => {
+                let rigid = if table.modes == Some(0) { "rigid " } else { "" };
+                writeln!(text, "            body_{number}: {free}{rigid}{type_name},")
+            }
             (None, Some(mass), Some(inertia)) => writeln!(
                 text,
-                "            body_{number}: rigid {{ mass: {mass:?}, center_of_mass: {:?}, inertia: {inertia:?} }},",
+                "            body_{number}: {free}rigid {{ mass: {mass:?}, center_of_mass: {:?}, inertia: {inertia:?} }},",
                 table.center_of_mass.unwrap_or_default()
             ),
             _ => bail!("bodies: expected a model, or mass and inertia"),
@@ -70,6 +74,12 @@ impl Writer<'_> {
             Some(number) => Ok(number),
             None => bail!("unknown body `{name}`"),
         }
+    }
+
+    /// Whether a joint ends on the body; what flies is said to.
+    fn is_held(&self, body: &str) -> bool {
+        let on_body = |end: &String| end.split('.').next() == Some(body);
+        self.file.joints.iter().any(|(_, table)| on_body(&table.first) || on_body(&table.second))
     }
 
     fn end(&self, name: &str, position: Option<Vector>) -> Result<String> {

@@ -10,6 +10,8 @@ mod program;
 mod report;
 mod stack_bound;
 
+use std::path::PathBuf;
+
 use anyhow::{Context, Result, bail};
 use ffrf_codegen::ScalarType;
 
@@ -17,6 +19,7 @@ use crate::arguments::{Budget, Core, TargetScalar};
 use crate::output;
 use elf::Program;
 use emulator::{Run, build, emulate};
+pub(crate) use program::MechanismProgram;
 use program::Subject;
 
 /// The function of the program that takes a step.
@@ -41,11 +44,12 @@ pub fn run(arguments: &Budget) -> Result<()> {
     } else {
         &arguments.scalar
     };
+    let workshop = Workshop { sources: arguments.sources.clone(), folder: arguments.folder.clone() };
     let mut text = String::new();
     for scalar in scalars {
         let subject = subject(arguments, *scalar)?;
         for core in cores {
-            let found = measure(arguments, &subject, *core)?;
+            let found = measure(&subject, *core, &workshop, &arguments.opt_level)?;
             text.push_str(&report::text(&subject, *core, *scalar, &found));
             let painted = found.run.most_stack();
             if let Ok(bound) = found.bound
@@ -73,9 +77,62 @@ fn subject(arguments: &Budget, scalar: TargetScalar) -> Result<Subject> {
     program::body(arguments, scalar)
 }
 
-fn measure(arguments: &Budget, subject: &Subject, core: Core) -> Result<Found> {
-    let folder = arguments.folder.clone().unwrap_or_else(|| arguments.sources.join("firmware/target/budget"));
-    program::write(subject, &folder, &arguments.sources, &arguments.opt_level)?;
+/// Where programs are written and built.
+pub(crate) struct Workshop {
+    /// The ffrf sources.
+    pub(crate) sources: PathBuf,
+    /// The folder of the programs; in the sources, if nothing is said.
+    pub(crate) folder: Option<PathBuf>,
+}
+
+impl Workshop {
+    fn folder(&self) -> PathBuf {
+        self.folder.clone().unwrap_or_else(|| self.sources.join("firmware/target/budget"))
+    }
+}
+
+/// What a step of a mechanism takes on a core: the most instructions of 32 steps, counted, its bytes of code and tables, of
+/// model and state, and of stack (painted, and the bound).
+pub(crate) struct StepOnTarget {
+    pub(crate) instructions: u64,
+    pub(crate) code: u64,
+    pub(crate) tables: u64,
+    pub(crate) state: u64,
+    pub(crate) stack: u64,
+    pub(crate) stack_bound: Option<u64>,
+}
+
+/// Writes, builds and runs the program of a mechanism. Errors: the scene has no counterpart in the macro, the tools for the
+/// target are not there, or more stack was touched than the bound.
+pub(crate) fn step_on_target(
+    program: &MechanismProgram<'_>,
+    core: Core,
+    workshop: &Workshop,
+) -> Result<StepOnTarget> {
+    let subject = program::mechanism(program)?;
+    let found = measure(&subject, core, workshop, USUAL_LEVEL)?;
+    let stack = found.run.most_stack();
+    let stack_bound = found.bound.ok();
+    if let Some(bound) = stack_bound.filter(|bound| stack > *bound) {
+        bail!("{stack} bytes of stack were touched, more than the bound of {bound}");
+    }
+    let (step, base) = (found.step.sizes, found.baseline.sizes);
+    Ok(StepOnTarget {
+        instructions: found.run.measured.iter().map(|one| one.most).max().unwrap_or(0),
+        code: step.code.saturating_sub(base.code),
+        tables: step.tables.saturating_sub(base.tables),
+        state: found.run.state,
+        stack,
+        stack_bound,
+    })
+}
+
+/// How rustc optimises where nothing is said: for speed.
+const USUAL_LEVEL: &str = "3";
+
+fn measure(subject: &Subject, core: Core, workshop: &Workshop, opt_level: &str) -> Result<Found> {
+    let folder = workshop.folder();
+    program::write(subject, &folder, &workshop.sources, opt_level)?;
     let linked = |name: &str| -> Result<_> {
         let path = build(&folder, core, name)?;
         let bytes = std::fs::read(&path).with_context(|| format!("{}", path.display()))?;

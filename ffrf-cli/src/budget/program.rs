@@ -29,11 +29,11 @@ const PART_OF_STABLE_STEP: f64 = 0.5;
 /// A usual tick of a controller. Units: s.
 const TICK: f64 = 1e-3;
 
-fn options(name: &str, scalar: ScalarType, arguments: &Budget) -> GenerateOptions {
+fn options(name: &str, scalar: ScalarType, layout_tolerance: f64) -> GenerateOptions {
     GenerateOptions {
         name: name.to_owned(),
         scalar,
-        layout_tolerance: arguments.layout_tolerance,
+        layout_tolerance,
         fused_multiply_add: FusedMultiplyAdd::Off,
         ..GenerateOptions::default()
     }
@@ -44,7 +44,7 @@ pub fn body(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
     let Budget { file: path, modes, integrator, step, .. } = arguments;
     let (modes, integrator, step) = (*modes, *integrator, *step);
     let model = ReducedBody::read(path)?;
-    let mut options = options("Body", scalar, arguments);
+    let mut options = options("Body", scalar, arguments.layout_tolerance);
     options.modes = modes.map(ModeSelection::First);
     let code = ffrf_codegen::generate(&model, &options).with_context(|| format!("{}", path.display()))?;
     let count = modes.unwrap_or_else(|| model.mode_count());
@@ -70,12 +70,43 @@ pub fn body(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
     })
 }
 
+/// A mechanism, as a scene's file has it.
+pub struct MechanismProgram<'a> {
+    /// What the report says of it.
+    pub title: String,
+    /// The scene's file.
+    pub file: &'a SceneFile,
+    /// Where the files that it names are looked for.
+    pub folder: &'a Path,
+    /// Number type.
+    pub scalar: ScalarType,
+    /// Which step is counted.
+    pub integrator: TargetIntegrator,
+    /// Its size; that of the scene, or a usual tick, if nothing is said. Units: s.
+    pub step: Option<f64>,
+    /// See [`GenerateOptions`].
+    pub layout_tolerance: f64,
+}
+
 /// A mechanism.
 pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
-    let (path, integrator) = (&arguments.file, arguments.integrator);
+    let Budget { file: path, integrator, step, layout_tolerance, .. } = arguments;
     let file = SceneFile::read(path)?;
-    let scene = Scene::read(path)?;
-    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    mechanism(&MechanismProgram {
+        title: format!("{}, {}", path.display(), method(*integrator)),
+        file: &file,
+        folder: path.parent().unwrap_or_else(|| Path::new("")),
+        scalar,
+        integrator: *integrator,
+        step: *step,
+        layout_tolerance: *layout_tolerance,
+    })
+}
+
+/// A mechanism from its parts. Errors: something in the scene has no counterpart in the macro.
+pub fn mechanism(program: &MechanismProgram<'_>) -> Result<Subject> {
+    let MechanismProgram { file, folder, scalar, integrator, layout_tolerance, .. } = *program;
+    let scene = Scene::compose(file, folder)?;
     let name = scalar.name();
     let mut library = format!("#![no_std]\npub type Scalar = {name};\n");
     let (mut made, mut types): (Vec<(String, String)>, Vec<Option<String>>) = (Vec::new(), Vec::new());
@@ -90,7 +121,7 @@ pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
             continue;
         }
         let type_name = format!("Body{}", made.len());
-        let mut options = options(&type_name, scalar, arguments);
+        let mut options = options(&type_name, scalar, layout_tolerance);
         options.modes = table.modes.map(ModeSelection::First);
         if let Some(fidelity) = &table.fidelity {
             options.fidelity = match fidelity {
@@ -103,7 +134,7 @@ pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
         made.push((key, type_name.clone()));
         types.push(Some(type_name));
     }
-    library.push_str(&mechanism_code::invocation(&file, &scene, &types, name)?);
+    library.push_str(&mechanism_code::invocation(file, &scene, &types, name)?);
     let mut set = String::new();
     for (number, state) in scene.assembled()?.0.iter().enumerate() {
         let body = format!("state.body_{number}");
@@ -129,7 +160,7 @@ pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
         }
     }
     let flexible: Vec<&str> = types.iter().flatten().map(String::as_str).collect();
-    let step_size = arguments.step.unwrap_or(match (scene.settings.step, integrator) {
+    let step_size = program.step.unwrap_or(match (scene.settings.step, integrator) {
         (ffrf_host::scene::StepChoice::Fixed(step), TargetIntegrator::RungeKutta) => step,
         _ => TICK,
     });
@@ -138,8 +169,7 @@ pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
         .replace("METHOD", method(integrator))
         .replace("ARGUMENTS", &flexible.join(", "))
         .replace("SET", &set);
-    let title = format!("{}, {}", path.display(), method(integrator));
-    Ok(Subject { title, library, step, kernels: None })
+    Ok(Subject { title: program.title.clone(), library, step, kernels: None })
 }
 
 fn method(integrator: TargetIntegrator) -> &'static str {

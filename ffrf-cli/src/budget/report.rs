@@ -19,7 +19,7 @@ const TICK: f64 = 1e3;
 
 impl Core {
     /// Name, and a clock that is usual for it. Units: MHz.
-    fn clock(self) -> (&'static str, f64) {
+    pub(crate) fn clock(self) -> (&'static str, f64) {
         match self {
             Self::CortexM4F => ("cortex-m4f", 168.0),
             Self::CortexM7 => ("cortex-m7", 480.0),

@@ -43,8 +43,13 @@ pub fn find(arguments: &ExportFmu) -> Result<(Vec<u8>, PathBuf)> {
     )
 }
 
+/// Where the binary of an FMU lies in it, for this platform.
+pub fn place(fmi: Fmi, identifier: &str) -> String {
+    format!("binaries/{}/{identifier}{}", platform(fmi), std::env::consts::DLL_SUFFIX)
+}
+
 /// The name of the platform in FMUs of a version of the standard.
-pub fn platform(fmi: Fmi) -> String {
+fn platform(fmi: Fmi) -> String {
     let (architecture, system) = (std::env::consts::ARCH, std::env::consts::OS);
     match fmi {
         Fmi::Three => {

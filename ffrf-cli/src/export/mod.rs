@@ -1,5 +1,6 @@
 //! `ffrf export`: scenes for other tools.
 
+mod compile;
 mod library;
 
 use std::fmt::Write as _;
@@ -7,7 +8,7 @@ use std::io::{Cursor, Write as _};
 
 use anyhow::{Context, Result};
 use ffrf_fmu::description::{Fmi, description, identifier};
-use ffrf_fmu::{Model, Role};
+use ffrf_fmu::{Model, Role, Sources};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
@@ -32,25 +33,66 @@ fn fmu(arguments: &ExportFmu) -> Result<()> {
         FmiVersion::Two => Fmi::Two,
         FmiVersion::Three => Fmi::Three,
     };
-    let (library, from) = library::find(arguments)?;
-    let binary = format!("binaries/{}/{identifier}{}", library::platform(fmi), std::env::consts::DLL_SUFFIX);
-    let text = description(&model, fmi, &name, &identifier);
-    let mut files = vec![("modelDescription.xml".to_owned(), text.into_bytes()), (binary, library)];
-    files.extend(model.files.iter().map(|(path, bytes)| (format!("resources/{path}"), bytes.clone())));
+    let contents = if arguments.c_sources {
+        with_sources(&model, fmi, &identifier, arguments.compiler.as_deref())
+            .with_context(|| format!("{}", path.display()))?
+    } else {
+        with_library(&model, fmi, &identifier, arguments)?
+    };
+    let text = description(&model, fmi, &name, &identifier, contents.sources.as_ref());
+    let mut files = vec![("modelDescription.xml".to_owned(), text.into_bytes())];
+    files.extend(contents.files);
     output::write_bytes(&arguments.output, &archive(&files)?)?;
     let count = |is: fn(&Role) -> bool| model.variables.iter().filter(|variable| is(&variable.role)).count();
     let mut report = String::new();
     let _ = writeln!(
         report,
-        "inputs: {}, outputs: {}, parameters: {}, other variables: {}\nlibrary: {}\nwritten: {}",
+        "inputs: {}, outputs: {}, parameters: {}, other variables: {}\n{}\nwritten: {}",
         count(|role| matches!(role, Role::Input(..))),
         count(|role| matches!(role, Role::Output(_))),
         count(|role| matches!(role, Role::Parameter(..))),
         count(|role| matches!(role, Role::Time | Role::Local(_))),
-        from.display(),
+        contents.report,
         arguments.output.display()
     );
     output::say_beside(&arguments.output, &report)
+}
+
+/// What an FMU holds besides its description.
+struct Contents {
+    files: Vec<(String, Vec<u8>)>,
+    sources: Option<Sources>,
+    /// A line for people.
+    report: String,
+}
+
+/// The library of ffrf and the files of the scene. Errors: there is no library of this version.
+fn with_library(model: &Model, fmi: Fmi, identifier: &str, arguments: &ExportFmu) -> Result<Contents> {
+    let (library, from) = library::find(arguments)?;
+    let mut files = vec![(library::place(fmi, identifier), library)];
+    files.extend(model.files.iter().map(|(path, bytes)| (format!("resources/{path}"), bytes.clone())));
+    Ok(Contents { files, sources: None, report: format!("library: {}", from.display()) })
+}
+
+/// The step of the mechanism in C, and a binary made of it where there is a compiler.
+///
+/// Errors: the scene has something that generated C has not; the compiler cannot be run or refuses the sources.
+fn with_sources(model: &Model, fmi: Fmi, identifier: &str, compiler: Option<&str>) -> Result<Contents> {
+    let sources = model
+        .c_sources(fmi, identifier)
+        .context("--c-sources (without it, an FMU with ffrf's own library simulates every scene)")?;
+    let mut files = Vec::new();
+    let made = match compile::compile(&sources, compiler)? {
+        Some((binary, compiler)) => {
+            files.push((library::place(fmi, identifier), binary));
+            format!("binary by {compiler}")
+        }
+        None => "no binary: no compiler was found or asked for".to_owned(),
+    };
+    let texts = sources.files.iter();
+    files.extend(texts.map(|(name, text)| (format!("sources/{name}"), text.clone().into_bytes())));
+    let report = format!("C sources: {} files, {made}", sources.files.len());
+    Ok(Contents { files, sources: Some(sources), report })
 }
 
 /// The same files give the same bytes: no time of day goes in.

@@ -95,7 +95,9 @@ function picture(rows, best) {
   const xs = points.map((row) => Math.log10(costOf(row)));
   const ys = points.map((row) => Math.log10(errorOf(row)));
   const x0 = Math.min(...xs) - 0.15, x1 = Math.max(...xs) + 0.15;
-  const y0 = Math.min(...ys, own > 0 ? Math.log10(own) : Infinity) - 0.3, y1 = Math.max(...ys) + 0.3;
+  // a reference that is far more exact than all is told in words: its line would leave no height to the points
+  const least = Math.min(...ys), line = own > 0 ? Math.log10(own) : -Infinity, is_near = line > least - 2;
+  const y0 = Math.min(least, is_near ? line : Infinity) - 0.3, y1 = Math.max(...ys) + 0.3;
   const X = (v) => L + ((v - x0) / (x1 - x0)) * (W - L - R), Y = (v) => H - B - ((v - y0) / (y1 - y0)) * (H - T - B);
   const canvas = svg("svg", { viewBox: `0 0 ${W} ${H}`, role: "img", "aria-label": "error against cost" });
   for (const k of ticks(x0, x1)) {
@@ -109,7 +111,9 @@ function picture(rows, best) {
   canvas.append(svg("rect", { x: L, y: T, width: W - L - R, height: H - T - B, fill: "none", stroke: "#b9c0c9" }));
   canvas.append(svg("text", { x: (L + W - R) / 2, y: H - 10, "text-anchor": "middle", "font-size": 14 }, COSTS[state.cost]));
   canvas.append(svg("text", { x: 16, y: (T + H - B) / 2, "text-anchor": "middle", "font-size": 14, transform: `rotate(-90 16 ${(T + H - B) / 2})` }, "error over the scale of the quantity"));
-  if (own > 0 && Math.log10(own) > y0) {
+  if (own > 0 && !is_near) {
+    canvas.append(svg("text", { x: W - R - 6, y: H - B - 6, "text-anchor": "end", "font-size": 12 }, `error of the reference itself: ${own.toExponential(1)}`));
+  } else if (own > 0 && line > y0) {
     canvas.append(svg("line", { x1: L, x2: W - R, y1: Y(Math.log10(own)), y2: Y(Math.log10(own)), stroke: "#888", "stroke-dasharray": "5 4" }));
     canvas.append(svg("text", { x: W - R - 6, y: Y(Math.log10(own)) - 6, "text-anchor": "end", "font-size": 12 }, "error of the reference itself"));
   }

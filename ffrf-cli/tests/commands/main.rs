@@ -10,6 +10,7 @@ mod inspect;
 mod linearise;
 mod meshes;
 mod outputs;
+mod plan;
 mod program;
 mod reference_cases;
 mod simulate;

@@ -137,14 +137,29 @@ fn a_sweep_that_is_killed_goes_on_and_ends_as_if_nothing_had_been() {
     write_scene(&bench);
     sweep(&bench, "whole").succeeded();
     let runs = bench.path("killed/runs");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_ffrf"))
-        .args(["tradeoff", "scene.toml", "-o", "killed", "--threads=2"])
-        .args(GRID)
-        .current_dir(bench.path(""))
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
+    let start = || {
+        Command::new(env!("CARGO_BIN_EXE_ffrf"))
+            .args(["tradeoff", "scene.toml", "-o", "killed", "--threads=2"])
+            .args(GRID)
+            .current_dir(bench.path(""))
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
+    };
+    // whenever it comes: before the folder is there, in the reference, while a file is written
+    let mut moment =
+        std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap().as_nanos() as u64;
+    for _ in 0..4 {
+        moment = moment.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let pause = Duration::from_micros((moment >> 33) % 60_000);
+        eprintln!("killed after {pause:?}");
+        let mut child = start();
+        std::thread::sleep(pause);
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    let mut child = start();
     let begin = Instant::now();
     let kept = || -> Vec<String> {
         let files = fs::read_dir(&runs).into_iter().flatten().map(Result::unwrap).filter(is_run);

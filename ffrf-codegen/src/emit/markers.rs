@@ -2,7 +2,19 @@
 
 use std::collections::BTreeSet;
 
-use ffrf_model::ReducedBody;
+use ffrf_model::{MarkerLoadStiffness, ReducedBody};
+
+use crate::fidelity::Fidelity;
+
+/// The markers whose loads stress the body, with their numbers, as far as the fidelity keeps them.
+pub(super) fn loads<'a>(body: &'a ReducedBody, fidelity: &Fidelity) -> Vec<(u16, &'a MarkerLoadStiffness)> {
+    let loads = body.geometric_stiffness.iter().flat_map(|geometric| &geometric.marker_loads);
+    let numbered = loads.filter_map(|load| {
+        let number = body.markers.iter().position(|marker| marker.name == load.marker)?;
+        Some((u16::try_from(number).ok()?, load))
+    });
+    if fidelity.keeps_load_stiffness() && body.mode_count() > 0 { numbered.collect() } else { Vec::new() }
+}
 
 /// The names of the markers in upper case, made unique and unlike the `reserved` ones: those of the markers, of the stress markers
 /// and of the section markers.

@@ -2,6 +2,7 @@
 
 use ffrf_model::ReducedBody;
 
+use super::CompositionModel;
 use crate::fidelity::Fidelity;
 
 /// A mechanism with everything that its time step depends on. SI units; Euler parameters scalar first.
@@ -31,6 +32,8 @@ pub struct MechanismModel {
     pub corrections: usize,
     /// The residual of positions that a step may be left with. Units: m or rad.
     pub tolerance: f64,
+    /// What the caller says when the mechanism begins; nothing if all numbers are constants.
+    pub composition: Option<CompositionModel>,
 }
 
 /// A method of fixed cost.
@@ -128,6 +131,8 @@ pub struct MarkerModel {
     pub translation: [Vec<f64>; 3],
     /// Small rotation about x, y and z per unit modal coordinate. Shape: 3 x M. Units: rad.
     pub rotation: [Vec<f64>; 3],
+    /// Γ of unit forces and moments there, by which the rows follow the deformation. Shape: 6 x M x M, row by row.
+    pub load_stiffness: Option<[Vec<f64>; 6]>,
 }
 
 /// A triad at a marker, or on the ground.

@@ -3,9 +3,10 @@
 use super::xml::attribute;
 use super::{LOG_CATEGORIES, experiment, units};
 use crate::model::Model;
+use crate::sources::Sources;
 use crate::variables::Role;
 
-pub(super) fn description(model: &Model, name: &str, identifier: &str) -> String {
+pub(super) fn description(model: &Model, name: &str, identifier: &str, sources: Option<&Sources>) -> String {
     let (mut variables, mut unknowns) = (String::new(), String::new());
     for (reference, variable) in model.variables.iter().enumerate() {
         let (role, start) = match variable.role {
@@ -39,15 +40,24 @@ pub(super) fn description(model: &Model, name: &str, identifier: &str) -> String
          <fmiModelDescription fmiVersion=\"2.0\" modelName=\"{name}\" guid=\"{token}\" \
          description=\"flexible multibody system\" generationTool=\"ffrf {version}\" variableNamingConvention=\"flat\">\n  \
          <CoSimulation modelIdentifier=\"{identifier}\" canHandleVariableCommunicationStepSize=\"true\" \
-         canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"true\"/>\n\
+         canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"true\"{inside}\n\
          {units}{LOG_CATEGORIES}{experiment}  <ModelVariables>\n{variables}  </ModelVariables>\n  \
          <ModelStructure>\n{outputs}{initial}  </ModelStructure>\n</fmiModelDescription>\n",
         name = attribute(name),
-        token = model.token,
+        token = sources.map_or(&model.token, |sources| &sources.token),
         version = env!("CARGO_PKG_VERSION"),
+        inside = source_files(sources),
         units = units(model),
         experiment = experiment(model),
         outputs = list("Outputs"),
         initial = list("InitialUnknowns"),
     )
+}
+
+/// The end of the element for co-simulation: what is compiled.
+fn source_files(sources: Option<&Sources>) -> String {
+    let Some(sources) = sources else { return "/>".to_owned() };
+    let files = sources.files.iter().take(sources.compiled);
+    let files: String = files.map(|(name, _)| format!("<File name=\"{}\"/>", attribute(name))).collect();
+    format!("><SourceFiles>{files}</SourceFiles></CoSimulation>")
 }

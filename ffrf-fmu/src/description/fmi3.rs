@@ -3,9 +3,10 @@
 use super::xml::attribute;
 use super::{LOG_CATEGORIES, experiment, units};
 use crate::model::Model;
+use crate::sources::Sources;
 use crate::variables::Role;
 
-pub(super) fn description(model: &Model, name: &str, identifier: &str) -> String {
+pub(super) fn description(model: &Model, name: &str, identifier: &str, sources: Option<&Sources>) -> String {
     let (mut variables, mut outputs, mut unknowns) = (String::new(), String::new(), String::new());
     for (reference, variable) in model.variables.iter().enumerate() {
         let role = match variable.role {
@@ -42,7 +43,7 @@ pub(super) fn description(model: &Model, name: &str, identifier: &str) -> String
          {units}{LOG_CATEGORIES}{experiment}  <ModelVariables>\n{variables}  </ModelVariables>\n  \
          <ModelStructure>\n{outputs}{unknowns}  </ModelStructure>\n</fmiModelDescription>\n",
         name = attribute(name),
-        token = model.token,
+        token = sources.map_or(&model.token, |sources| &sources.token),
         version = env!("CARGO_PKG_VERSION"),
         units = units(model),
         experiment = experiment(model),

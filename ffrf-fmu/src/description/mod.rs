@@ -4,7 +4,9 @@ mod fmi2;
 mod fmi3;
 mod xml;
 
+pub(crate) use self::xml::attribute;
 use crate::model::Model;
+use crate::sources::Sources;
 
 /// A version of the standard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,11 +18,17 @@ pub enum Fmi {
 }
 
 /// The model description for a version of the standard. `identifier`: the name of the binary without its ending; `name`:
-/// what people call the model.
-pub fn description(model: &Model, fmi: Fmi, name: &str, identifier: &str) -> String {
+/// what people call the model; `sources`: what is inside in C, in place of the scene.
+pub fn description(
+    model: &Model,
+    fmi: Fmi,
+    name: &str,
+    identifier: &str,
+    sources: Option<&Sources>,
+) -> String {
     match fmi {
-        Fmi::Two => fmi2::description(model, name, identifier),
-        Fmi::Three => fmi3::description(model, name, identifier),
+        Fmi::Two => fmi2::description(model, name, identifier, sources),
+        Fmi::Three => fmi3::description(model, name, identifier, sources),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Text in XML.
 
 /// A text as it stands in an attribute; what XML 1.0 cannot hold becomes a question mark.
-pub(super) fn attribute(text: &str) -> String {
+pub(crate) fn attribute(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

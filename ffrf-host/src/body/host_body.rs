@@ -190,12 +190,18 @@ impl HostBody {
                 HostModal(DVector::from_iterator(list.len(), list.iter().map(|entry| entry[axis])))
             })
         };
+        let stressing = |name: &str| {
+            let geometric = body.geometric_stiffness.as_ref()?;
+            geometric.marker_loads.iter().find(|load| load.marker == name)?;
+            u16::try_from(body.markers.iter().position(|marker| marker.name == name)?).ok()
+        };
         body.markers
             .iter()
             .map(|marker| Marker {
                 position: marker.position.into(),
                 translation: rows(&marker.translation),
                 rotation: rows(&marker.rotation),
+                stressing: stressing(&marker.name),
             })
             .collect()
     }
@@ -278,6 +284,13 @@ impl HostBody {
             is_stiffened: self.is_stiffened,
             largest_stable_step: self.largest_stable_step.map(convert),
         }
+    }
+}
+
+impl<T: RealField + Copy> HostBody<T> {
+    /// Γ of unit forces and moments at a marker of this [number](Marker::stressing), if the body has it. Shape: 6 x M x M.
+    pub fn marker_load(&self, number: u16) -> Option<&[DMatrix<T>; 6]> {
+        self.marker_loads.get(usize::from(number))?.as_deref()
     }
 }
 
@@ -378,11 +391,10 @@ impl<T: RealField + Copy> FlexibleBody<T> for HostBody<T> {
 
     fn bent_marker(
         &self,
-        index: usize,
         marker: &Marker<HostModal<T>, T>,
         q: &HostModal<T>,
     ) -> Option<Marker<HostModal<T>, T>> {
-        let load = self.marker_loads.get(index)?.as_ref()?;
+        let load = self.marker_load(marker.stressing?)?;
         let mut bent = marker.clone();
         for (row, stiffness) in bent.translation.iter_mut().chain(&mut bent.rotation).zip(load.iter()) {
             row.0 -= stiffness * &q.0;

@@ -1,6 +1,6 @@
 //! Vectors over the modes whose number is known at run time.
 
-use ffrf_runtime::ModalVector;
+use ffrf_runtime::{Marker, ModalVector};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, RealField};
 
 /// Numbers, one for each mode.
@@ -18,6 +18,16 @@ impl HostModal {
     /// The same numbers in another type.
     pub fn cast<T: RealField + Copy>(&self) -> HostModal<T> {
         HostModal(self.0.map(nalgebra::convert))
+    }
+
+    /// A marker with its numbers in another type.
+    pub(crate) fn cast_marker<T: RealField + Copy>(marker: &Marker<Self, f64>) -> Marker<HostModal<T>, T> {
+        Marker {
+            position: marker.position.map(nalgebra::convert),
+            translation: marker.translation.each_ref().map(Self::cast),
+            rotation: marker.rotation.each_ref().map(Self::cast),
+            stressing: marker.stressing,
+        }
     }
 }
 

@@ -110,7 +110,11 @@ impl HostMechanism {
     pub fn cast<T: RealField + Copy>(&self) -> HostMechanism<T> {
         HostMechanism {
             bodies: self.bodies.iter().map(HostBody::cast).collect(),
-            markers: self.markers.iter().map(|list| list.iter().map(cast_marker).collect()).collect(),
+            markers: self
+                .markers
+                .iter()
+                .map(|list| list.iter().map(HostModal::cast_marker).collect())
+                .collect(),
             connections: self.connections.iter().map(Connection::cast).collect(),
             drives: self.drives.clone(),
             gravity: self.gravity.map(convert),
@@ -488,13 +492,5 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     ) -> HostIncrement<T> {
         let parts = modes.iter().zip(&rates.0);
         HostIncrement(parts.map(|(modes, rates)| modes.forced(rates, forcing)).collect())
-    }
-}
-
-fn cast_marker<T: RealField + Copy>(marker: &Marker<HostModal, f64>) -> Marker<HostModal<T>, T> {
-    Marker {
-        position: marker.position.map(convert),
-        translation: marker.translation.each_ref().map(HostModal::cast),
-        rotation: marker.rotation.each_ref().map(HostModal::cast),
     }
 }

@@ -71,6 +71,7 @@ impl Scene {
             step,
             corrections: iterations,
             tolerance,
+            composition: None,
         })
     }
 
@@ -157,7 +158,12 @@ impl Markers<'_> {
     }
 
     fn models(&self) -> Vec<MarkerModel> {
-        let all = self.scene.mechanism.markers();
+        let (all, bodies) = (self.scene.mechanism.markers(), self.scene.mechanism.bodies());
+        let stiffness = |body: usize, number: u16| {
+            let load = bodies.get(body)?.marker_load(number)?;
+            // symmetric: by rows or by columns
+            Some(load.each_ref().map(|matrix| matrix.as_slice().to_vec()))
+        };
         let found =
             self.used.iter().filter_map(|(body, marker)| Some((*body, all.get(*body)?.get(*marker)?)));
         let rows = |rows: &[HostModal; 3]| rows.each_ref().map(|row| row.0.as_slice().to_vec());
@@ -167,6 +173,7 @@ impl Markers<'_> {
                 position: marker.position.into(),
                 translation: rows(&marker.translation),
                 rotation: rows(&marker.rotation),
+                load_stiffness: marker.stressing.and_then(|number| stiffness(body, number)),
             })
             .collect()
     }

@@ -48,6 +48,12 @@ pub enum TradeoffError {
         /// What was tried, and what came of it.
         tried: String,
     },
+    /// A model was asked of a body that has none.
+    #[error("body {index} (from 0) is rigid: it has no model")]
+    Rigid {
+        /// Its index.
+        index: usize,
+    },
     /// An outcome could not be kept.
     #[error(transparent)]
     Keep(#[from] std::io::Error),

@@ -7,6 +7,7 @@
 //!
 //! Which outcomes are kept, and where, is the caller's business: [`sweep`] asks for none that is there already.
 
+mod bounds;
 mod calls;
 mod channel;
 mod configuration;
@@ -23,6 +24,7 @@ mod sweep;
 mod trajectory;
 mod usual;
 
+pub use bounds::{ForceSize, MotionLimits, term_bound};
 pub use channel::{Channel, Quantity};
 pub use configuration::{Axes, Configuration};
 pub use cost::StaticCost;
@@ -30,8 +32,8 @@ pub use error::TradeoffError;
 pub use front::front;
 pub use outcome::{Finding, INSTRUCTIONS_PER_OPERATION, Measured, Outcome, run};
 pub use plan::{
-    Affordable, Candidate, Choice, ModeUse, Motion, Pilot, Plan, PlanOptions, PlanWithin, StepBudget,
-    TermUse, plan, plan_within,
+    Affordable, Candidate, Choice, ModeUse, Motion, Operations, Pilot, Plan, PlanOptions, PlanWithin,
+    StepBudget, TermUse, Truncation, plan, plan_again_within, plan_within,
 };
 pub use reference::{Reference, ReferenceOptions};
 pub use study::{Study, Variant};

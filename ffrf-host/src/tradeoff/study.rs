@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ffrf_codegen::Fidelity;
+use ffrf_model::ReducedBody;
 use ffrf_runtime::State;
 
 use super::TradeoffError;
@@ -36,6 +37,9 @@ pub struct Variant {
 
 /// Most times at which errors are taken: enough to see every extremum of a few dozen oscillations.
 const MOST_INTERVALS: f64 = 200.0;
+
+/// What a number of steps may miss a whole number by, for round-off.
+const WHOLE: f64 = 1e-6;
 
 impl Study {
     /// Reads a scene and the models that it names. Errors: see [`SceneError`].
@@ -97,6 +101,27 @@ impl Study {
         self.own.duration / self.intervals as f64
     }
 
+    /// The same study with its samples at whole multiples of `step` (s), no more and no closer together than they were, until
+    /// the last whole step of the scene; none if there is no whole one. No sample cuts such a step short.
+    pub fn in_steps_of(&self, step: f64) -> Option<Self> {
+        let whole = (self.own.duration / step + WHOLE).floor();
+        if whole < 1.0 || !whole.is_finite() {
+            return None;
+        }
+        let each = (whole / self.intervals as f64 - WHOLE).ceil().max(1.0);
+        let intervals = (whole / each).floor();
+        let (duration, output_step) = (intervals * each * step, each * step);
+        let mut file = self.file.clone();
+        (file.simulation.duration, file.simulation.output_step) = (duration, Some(output_step));
+        Some(Self {
+            file,
+            folder: self.folder.clone(),
+            available: self.available.clone(),
+            own: Settings { duration, output_step, ..self.own },
+            intervals: intervals as usize,
+        })
+    }
+
     /// The settings of a run: the constraints as the scene has them where the integrator goes with that.
     ///
     /// Joint coordinates are left for absolute ones, which every integrator and number type goes with.
@@ -124,6 +149,19 @@ impl Study {
         super::calls::calls(&self.file, &self.folder, title, &modes, configuration)
     }
 
+    /// The model of body `index` with all its modes. Errors: the body is rigid, or its model cannot be read.
+    pub(super) fn model(&self, index: usize) -> Result<ReducedBody, TradeoffError> {
+        let body = self.file.bodies.get(index);
+        let named = body.and_then(|(name, table)| table.model.as_ref().map(|model| (name, model)));
+        let Some((name, model)) = named else {
+            return Err(TradeoffError::Rigid { index });
+        };
+        let path = self.folder.join(model);
+        let read = ReducedBody::read(&path);
+        let key = format!("bodies.{name}.model");
+        Ok(read.map_err(|source| SceneError::Model { key, path, source: Box::new(source) })?)
+    }
+
     /// The flexible body `index` with all its modes and other terms. Errors: its model cannot be read.
     pub(super) fn body_with(&self, index: usize, fidelity: &Fidelity) -> Result<HostBody, TradeoffError> {
         let variant = with_bodies(&self.file, |body, table| {
@@ -135,13 +173,24 @@ impl Study {
         Ok(scene.mechanism.bodies()[index].clone())
     }
 
-    /// The scene with so many modes of each flexible body, and these terms. Errors: the scene cannot be assembled so.
-    pub fn variant(&self, modes: usize, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
-        let file = with_bodies(&self.file, |body, table| {
+    /// The scene's file with so many modes of each flexible body, and these terms; its files are looked for in
+    /// [`folder`](Self::folder).
+    pub fn file_with(&self, modes: usize, fidelity: &Fidelity) -> SceneFile {
+        with_bodies(&self.file, |body, table| {
             if let Some(available) = self.available.get(body).copied().flatten() {
                 with_modes(table, modes.min(available), fidelity);
             }
-        });
+        })
+    }
+
+    /// Where the files that the scene names are looked for.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// The scene with so many modes of each flexible body, and these terms. Errors: the scene cannot be assembled so.
+    pub fn variant(&self, modes: usize, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
+        let file = self.file_with(modes, fidelity);
         let scene = Scene::compose(&file, &self.folder)?;
         let (initial, _) = scene.assembled()?;
         let cost = StaticCost::of(&file, &self.folder, &scene)?;

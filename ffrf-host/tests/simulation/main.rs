@@ -5,5 +5,6 @@ mod events;
 mod reference_pendulum;
 mod scene_files;
 mod soft_rows;
+mod term_bounds;
 mod tradeoff;
 mod treatments;

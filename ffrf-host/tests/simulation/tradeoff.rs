@@ -9,8 +9,8 @@ use ffrf_host::scene::file::SceneFile;
 use ffrf_host::scene::{Integrator, Scene};
 use ffrf_host::simulate::simulate;
 use ffrf_host::tradeoff::{
-    Axes, Configuration, Finding, Measured, Outcome, PlanOptions, Quantity, Reference, ReferenceOptions,
-    StepBudget, Study, TradeoffError, plan, plan_within, run, sweep,
+    Axes, Configuration, Finding, Measured, Operations, Outcome, PlanOptions, Quantity, Reference,
+    ReferenceOptions, StepBudget, Study, TradeoffError, plan, plan_within, run, sweep,
 };
 
 /// What a plan may exceed its budget by.
@@ -129,7 +129,8 @@ fn a_plan_for_a_time_per_step_takes_no_more_and_uses_what_it_has() {
     let study = study("slider_crank.toml", 2e-3, 20.0);
     let budget = |operations: f64| StepBudget {
         step: 1e-5,
-        operations,
+        operations: Operations { double: operations, single: operations },
+        divisions: vec![1],
         quantities: vec![Quantity::Sensor("bearing".to_owned())],
         integrators: vec![Integrator::Rk4, Integrator::LinearlyImplicit],
         scalars: vec![ScalarType::F64],

@@ -1,20 +1,43 @@
 //! Markers whose rows follow the deformation, because loads there stress the body.
 
-use nalgebra::{Matrix3, RealField};
+use nalgebra::{Matrix3, RealField, SVector};
 
 use super::marker::{SmallRotation, combine};
 use super::{FlexibleBody, Marker, MarkerMotion, ModalVector, PlacedMarker, State};
+
+/// The rows φ_μ - Γ_μν q_ν of a marker. `stiffness`: Γ of unit forces and moments there, which is symmetric. Shape: 6 x M x M.
+/// `number`: from its number type to that of the marker.
+#[inline]
+pub fn bent<S, T, const M: usize>(
+    marker: &Marker<SVector<T, M>, T>,
+    stiffness: &[[[S; M]; M]; 6],
+    q: &SVector<T, M>,
+    number: impl Fn(S) -> T,
+) -> Marker<SVector<T, M>, T>
+where
+    S: Copy,
+    T: RealField + Copy,
+{
+    let mut bent = *marker;
+    for (row, stiffness) in bent.translation.iter_mut().chain(&mut bent.rotation).zip(stiffness) {
+        for (entry, along) in row.iter_mut().zip(stiffness) {
+            let terms = along.iter().zip(q.iter());
+            *entry -= terms.fold(T::zero(), |sum, (stiffness, q)| sum + number(*stiffness) * *q);
+        }
+    }
+    bent
+}
 
 /// A marker of a body in a state, handed to what needs it.
 #[inline]
 pub(crate) fn with_placed<B: FlexibleBody<T>, T: RealField + Copy, U>(
     body: &B,
-    (index, marker): (usize, &Marker<B::Modal, T>),
+    marker: &Marker<B::Modal, T>,
     state: &State<B::Modal, T>,
     axes: &Matrix3<T>,
     take: impl FnOnce(PlacedMarker<'_, B::Modal, T>) -> U,
 ) -> U {
-    match body.bent_marker(index, marker, &state.modal_coordinates) {
+    match body.bent_marker(marker, &state.modal_coordinates) {
         Some(bent) => take(PlacedMarker::bent(&bent, marker, state, axes)),
         None => take(PlacedMarker::with_axes(marker, state, axes)),
     }
@@ -24,11 +47,11 @@ pub(crate) fn with_placed<B: FlexibleBody<T>, T: RealField + Copy, U>(
 #[inline]
 pub(crate) fn marker_motion<B: FlexibleBody<T>, T: RealField + Copy>(
     body: &B,
-    (index, marker): (usize, &Marker<B::Modal, T>),
+    marker: &Marker<B::Modal, T>,
     state: &State<B::Modal, T>,
     axes: &Matrix3<T>,
 ) -> MarkerMotion<T> {
-    let rows = |along: &B::Modal| body.bent_marker(index, marker, along);
+    let rows = |along: &B::Modal| body.bent_marker(marker, along);
     match (rows(&state.modal_coordinates), rows(&state.modal_rates)) {
         (Some(bent), Some(rates)) => {
             PlacedMarker::bent(&bent, marker, state, axes).bent_motion(state, marker, &rates)

@@ -68,15 +68,14 @@ pub trait FlexibleBody<T: RealField + Copy = f64> {
     /// The rows of a marker in the state `q`, if they follow the deformation: where loads at the marker stress the body, it moves by
     /// terms of second order in q, and its rows are φ_μ - Γ_μν q_ν. `None` for a marker whose rows are constant.
     ///
-    /// `index`: the marker's number in its mechanism. The position is not changed: the place in the state `q` is the mean of those that
-    /// both markers give.
+    /// The position is not changed: the place in the state `q` is the mean of those that both markers give. The energy-momentum
+    /// method reads the constant rows.
     fn bent_marker(
         &self,
-        index: usize,
         marker: &Marker<Self::Modal, T>,
         q: &Self::Modal,
     ) -> Option<Marker<Self::Modal, T>> {
-        let _ = (index, marker, q);
+        let _ = (marker, q);
         None
     }
 
@@ -136,11 +135,10 @@ impl<B: FlexibleBody<T>, T: RealField + Copy> FlexibleBody<T> for &B {
 
     fn bent_marker(
         &self,
-        index: usize,
         marker: &Marker<Self::Modal, T>,
         q: &Self::Modal,
     ) -> Option<Marker<Self::Modal, T>> {
-        (**self).bent_marker(index, marker, q)
+        (**self).bent_marker(marker, q)
     }
 
     fn largest_stable_step(&self) -> Option<T> {

@@ -14,6 +14,9 @@ pub struct Marker<V, T = f64> {
     pub translation: [V; 3],
     /// Small rotation about x, y and z per unit modal coordinate. Shape: 3 x M. Units: rad.
     pub rotation: [V; 3],
+    /// Number of the marker among those of its body if loads there stress the body, so that its rows follow the deformation: see
+    /// [`bent_marker`](super::FlexibleBody::bent_marker).
+    pub stressing: Option<u16>,
 }
 
 impl<const M: usize> Marker<SVector<f64, M>, f64> {
@@ -24,6 +27,7 @@ impl<const M: usize> Marker<SVector<f64, M>, f64> {
             position: self.position.map(nalgebra::convert),
             translation: rows(&self.translation),
             rotation: rows(&self.rotation),
+            stressing: self.stressing,
         }
     }
 }
@@ -32,7 +36,7 @@ impl<V: ModalVector<T>, T: RealField + Copy> Marker<V, T> {
     /// A marker on the rigid part of a body: the modes, as many as in `alike`, do not move it.
     pub fn rigid(position: Vector3<T>, alike: &V) -> Self {
         let still = || core::array::from_fn(|_| alike.zeros_alike());
-        Self { position, translation: still(), rotation: still() }
+        Self { position, translation: still(), rotation: still(), stressing: None }
     }
 
     /// Position from the frame origin in the deformed state, x + Ψ q. Shape: 3. Units: m. Frame: body.

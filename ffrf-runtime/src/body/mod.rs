@@ -48,6 +48,7 @@ pub use observables::Observables;
 pub use pair::{Pair, PairSystem};
 pub use prepared::{Eliminated, Factored, Prepared};
 
+pub use bent_marker::bent;
 pub(crate) use bent_marker::{marker_motion, with_placed};
 pub(crate) use implicit::{ImplicitBody, implicit_modal_mass};
 pub use oscillator::Oscillators;

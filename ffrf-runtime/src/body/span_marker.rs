@@ -134,8 +134,12 @@ mod tests {
         let span = span();
         let rows =
             |k: f64| core::array::from_fn(|i| Vector2::new((k + i as f64).sin(), (2.0 * k - i as f64).cos()));
-        let marker =
-            Marker { position: Vector3::new(0.4, 0.1, -0.3), translation: rows(0.3), rotation: rows(1.1) };
+        let marker = Marker {
+            position: Vector3::new(0.4, 0.1, -0.3),
+            translation: rows(0.3),
+            rotation: rows(1.1),
+            stressing: None,
+        };
         let at = SpanMarker::new(&marker, &span);
         let motion = at.motion();
         let mean = mean_velocities(&span);

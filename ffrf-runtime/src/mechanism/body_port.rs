@@ -189,7 +189,7 @@ where
         let marker = self.markers.get(index)?;
         Some(match &self.span {
             Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
-            None => with_placed(self.body, (index, marker), &self.state, &self.axes, |placed| {
+            None => with_placed(self.body, marker, &self.state, &self.axes, |placed| {
                 placed.generalised_force(wrench)
             }),
         })
@@ -197,7 +197,7 @@ where
 
     fn twist(&self, index: usize, motion: &Motion<B::Modal, T>) -> [Vector3<T>; 2] {
         let Some(marker) = self.markers.get(index) else { return [Vector3::zeros(); 2] };
-        with_placed(self.body, (index, marker), &self.state, &self.axes, |placed| placed.twist(motion))
+        with_placed(self.body, marker, &self.state, &self.axes, |placed| placed.twist(motion))
     }
 }
 
@@ -213,7 +213,7 @@ where
             return MarkerMotion::fixed(self.state.position, self.state.orientation);
         };
         match &self.span {
-            None => marker_motion(self.body, (index, marker), &self.state, &self.axes),
+            None => marker_motion(self.body, marker, &self.state, &self.axes),
             Some(_) => self.motion_of(marker),
         }
     }
@@ -374,7 +374,7 @@ where
             Some((span, _)) => {
                 *effects = SpanMarker::new(place, span).generalised_forces(gradients, modal.as_mut());
             }
-            None => with_placed(self.body, (marker, place), &self.state, &self.axes, |placed| {
+            None => with_placed(self.body, place, &self.state, &self.axes, |placed| {
                 placed.generalised_forces(gradients, effects, modal.as_mut());
             }),
         }

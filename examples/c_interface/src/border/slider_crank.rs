@@ -7,7 +7,7 @@ use super::held::{Held, NO_STATE, Status, is_rotation, numbers, object, of_step,
 use crate::parts::{SliderCrank, SliderCrankState, slider_crank};
 
 /// `SLIDER_CRANK_DOUBLES`.
-pub const DOUBLES: usize = 256;
+pub const DOUBLES: usize = 272;
 /// `SLIDER_CRANK_STATE`: time, moment of the motor, and the states of crank, rod and piston.
 pub const STATE: usize = 2 + SliderCrankState::SIZE;
 

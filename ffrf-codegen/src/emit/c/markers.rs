@@ -8,7 +8,7 @@ use super::text::{Text, braced};
 use crate::ScalarType;
 use crate::emit::Subject;
 use crate::emit::documentation::plain;
-use crate::emit::markers::constant_names;
+use crate::emit::markers::{constant_names, loads};
 
 /// Names of constants, which no marker can take.
 const RESERVED: [&str; 5] = ["MODE_COUNT", "VELOCITY_COUNT", "MASS", "LARGEST_STABLE_STEP", "H"];
@@ -67,12 +67,46 @@ pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style
         &[("translation", 3), ("rotation", 3)],
         constants.map(|(marker, name)| (format!("Marker `{}`.", plain(&marker.name)), name)),
     );
+    for (number, _) in loads(model, &subject.options.fidelity) {
+        let Some((marker, name)) = model.markers.get(usize::from(number)).zip(names.get(usize::from(number)))
+        else {
+            continue;
+        };
+        text.documentation([
+            format!("Loads at `{}` stress the body: its rows in a deformation are", plain(&marker.name)),
+            "translation[k][m] - sum over n of STRESSED[k][m][n] q[n], and of the rotation with STRESSED[3 + k]; its place"
+                .to_owned(),
+            "is the mean of what these and the rows of the undeformed body give.".to_owned(),
+        ]);
+        text.line(format!("extern const {};", stressed(name, style)));
+        text.blank();
+    }
+}
+
+/// The stress stiffness of a marker, declared.
+fn stressed(name: &str, style: &Style) -> String {
+    format!(
+        "{} {}_{name}_STRESSED[6][{modes}][{modes}]",
+        style.type_name(),
+        style.macro_prefix,
+        modes = style.mode_count
+    )
 }
 
 /// Writes the numbers of the markers.
 pub(super) fn definitions(text: &mut Text, subject: &Subject<'_>, style: &Style) {
     let Some(model) = subject.model else { return };
     let [names, stress_names, section_names] = constant_names(model, &RESERVED);
+    for (number, load) in loads(model, &subject.options.fidelity) {
+        let Some(name) = names.get(usize::from(number)) else { continue };
+        text.block(&format!("const {} = {{", stressed(name, style)), "};\n", |text| {
+            for axis in 0..6 {
+                let rows = load.stiffness.iter().map(|row| list(row.iter().map(|load| load[axis]), style));
+                let comma = if axis < 5 { "," } else { "" };
+                text.line(format!("{}{comma}", braced(&rows.collect::<Vec<_>>())));
+            }
+        });
+    }
     for (marker, name) in model.markers.iter().zip(names) {
         let head = format!("const {}_marker {}_{name} = {{", style.prefix, style.macro_prefix);
         text.block(&head, "};\n", |text| numbers(text, marker, style));

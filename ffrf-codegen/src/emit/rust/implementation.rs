@@ -54,6 +54,7 @@ pub(super) fn implementations(writer: &mut Writer, subject: &Subject<'_>, listin
     block(writer, Interface::FlexibleBody, &|writer| {
         stiffened(writer, subject);
         stable_step(writer, subject);
+        markers::bent_marker(writer, subject, &types.marker(), &types.modal());
     });
     writer.blank();
     block(writer, Interface::Observables, &|_| {});

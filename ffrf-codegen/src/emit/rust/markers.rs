@@ -5,7 +5,7 @@ use ffrf_model::{Marker, ReducedBody, SectionMarker, StressMarker};
 use super::structure::{RESERVED, constants, visibility};
 use crate::emit::Subject;
 use crate::emit::literal::literal;
-use crate::emit::markers::constant_names;
+use crate::emit::markers::{constant_names, loads};
 use crate::emit::writer::{Writer, bracketed};
 use crate::report::Report;
 use crate::{GenerateOptions, ScalarType};
@@ -27,9 +27,11 @@ pub(super) fn inherent_constants(
             constant.write(writer, options);
         }
         let [names, stress_names, section_names] = constant_names(body, &RESERVED);
-        for (marker, name) in body.markers.iter().zip(names) {
+        let loads = loads(body, &options.fidelity);
+        for ((number, marker), name) in (0_u16..).zip(&body.markers).zip(names) {
             writer.blank();
-            marker_constant(writer, marker, &name, report.mode_count, options);
+            let stressing = loads.iter().any(|(loaded, _)| *loaded == number).then_some(number);
+            marker_constant(writer, (marker, stressing), &name, report.mode_count, options);
         }
         for (marker, name) in body.stress_markers.iter().zip(stress_names) {
             writer.blank();
@@ -39,6 +41,49 @@ pub(super) fn inherent_constants(
             writer.blank();
             section_constant(writer, marker, &name, report.mode_count, options);
         }
+    });
+}
+
+/// The method that bends the rows of the markers whose loads stress the body, if there are any.
+pub(super) fn bent_marker(writer: &mut Writer, subject: &Subject<'_>, marker: &str, modal: &str) {
+    let Some(model) = subject.model else { return };
+    let loads = loads(model, &subject.options.fidelity);
+    if loads.is_empty() {
+        return;
+    }
+    writer.blank();
+    writer.line("#[inline]");
+    let head = format!(
+        "fn bent_marker(&self, marker: &{marker}, q: &{modal}) -> ::core::option::Option<{marker}> {{"
+    );
+    writer.block(&head, "}", |writer| {
+        for (number, load) in &loads {
+            let (kind, modes) = (subject.options.scalar.constant_type_name(), subject.report.mode_count);
+            writer.line(format!("// Γ of unit forces and moments at `{}`.", load.marker.escape_debug()));
+            let head = format!("const STRESSED_{number}: [[[{kind}; {modes}]; {modes}]; 6] = [");
+            writer.block(&head, "];", |writer| {
+                for axis in 0..6 {
+                    let rows = load.stiffness.iter().map(|row| {
+                        let row = row.iter().map(|load| literal(load[axis], subject.options.scalar));
+                        bracketed(&row.collect::<Vec<_>>(), 48)
+                    });
+                    writer.block("[", "],", |writer| rows.for_each(|row| writer.line(format!("{row},"))));
+                }
+            });
+        }
+        let convert = match subject.options.scalar {
+            ScalarType::Generic => "::ffrf::generated_support::constant",
+            _ => "::core::convert::identity",
+        };
+        writer.block("match marker.stressing {", "}", |writer| {
+            for (number, _) in &loads {
+                writer.line(format!(
+                    "::core::option::Option::Some({number}) => \
+                     ::core::option::Option::Some(::ffrf::generated_support::bent(marker, &STRESSED_{number}, q, {convert})),"
+                ));
+            }
+            writer.line("_ => ::core::option::Option::None,");
+        });
     });
 }
 
@@ -158,7 +203,7 @@ fn section_constant(
 
 fn marker_constant(
     writer: &mut Writer,
-    marker: &Marker,
+    (marker, stressing): (&Marker, Option<u16>),
     name: &str,
     modes: usize,
     options: &GenerateOptions,
@@ -180,5 +225,7 @@ fn marker_constant(
                 }
             });
         }
+        let stressing = stressing.map_or("None".to_owned(), |number| format!("Some({number})"));
+        writer.line(format!("stressing: ::core::option::Option::{stressing},"));
     });
 }

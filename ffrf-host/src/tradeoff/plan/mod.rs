@@ -6,8 +6,13 @@
 //! that are cheaper than the final one, and by the order of the method from there on.
 
 mod model;
+mod modes;
 mod motion;
+mod spectrum;
+mod statics;
 mod steps;
+mod terms;
+mod track;
 mod within;
 
 use ffrf_codegen::{Fidelity, ScalarType};
@@ -16,9 +21,12 @@ use super::{Configuration, Quantity, Reference, ReferenceOptions, Study, Tradeof
 use crate::scene::Integrator;
 
 pub use model::Choice;
-pub use motion::{ModeUse, Motion, TermUse};
+pub use modes::ModeUse;
+pub use motion::Motion;
+pub use statics::Truncation;
 pub use steps::{Candidate, Pilot};
-pub use within::{Affordable, PlanWithin, StepBudget, plan_within};
+pub use terms::TermUse;
+pub use within::{Affordable, Operations, PlanWithin, StepBudget, plan_again_within, plan_within};
 
 /// What a plan may choose from, and for what.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +68,8 @@ pub struct Plan {
     pub reference: Reference,
     /// What the motion of the whole model is like.
     pub motion: Motion,
+    /// What the modes that are dropped do to each channel of places.
+    pub truncations: Vec<Truncation>,
     /// The models that were tried, in the order in which they were.
     pub models: Vec<Choice>,
     /// The best of each integrator with each model that was left.
@@ -74,6 +84,9 @@ const OWN_SHARE: f64 = 0.05;
 const MODEL_SHARES: [f64; 2] = [0.8, 0.4];
 /// The largest share of the budget that rounding may take.
 const ROUNDING_SHARE: f64 = 0.2;
+/// A term whose bound is below this share of the budget is dropped without a trial of its own: in a free body a force that is
+/// wrong by a share makes a motion wrong by more than that, with time.
+const NEGLIGIBLE: f64 = 1e-2;
 /// How often the reference is made more exact before its error is taken as it is.
 const REFINEMENTS: usize = 4;
 
@@ -90,8 +103,9 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
         tolerance *= (0.5 * OWN_SHARE * options.error / own).max(1e-3);
         (reference, whole, states) = survey(study, options, tolerance)?;
     }
-    let motion = motion::look(study, &whole, &states)?;
-    let mut search = model::Search::new(study, &reference, tolerance);
+    let motion = motion::look(study, &reference, &whole, &states)?;
+    let needed = motion.needed_terms(NEGLIGIBLE * options.error);
+    let mut search = model::Search::new(study, &reference, tolerance, needed);
     let mut left: Vec<(usize, Fidelity)> = Vec::new();
     for share in MODEL_SHARES {
         if let Some(choice) = search.least(share * options.error)
@@ -126,6 +140,7 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
         Configuration { modes: count, fidelity, scalar: ScalarType::F64, integrator: best.integrator, step };
     let left = options.error - model.error - best.step_error - reference.own_error();
     let (scalar, rounding) = scalar(study, &reference, model, &wanted, options, left);
+    let truncations = motion::truncations(&reference, &whole, &states, &motion.modes, count);
     let parts = [model.error, best.step_error, rounding, reference.own_error()];
     Ok(Plan {
         configuration: Configuration { scalar, ..wanted },
@@ -133,6 +148,7 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
         parts,
         operations: [best.operations, best.operations / step],
         motion,
+        truncations,
         models: search.tried(),
         candidates: candidates.clone(),
         reference,

@@ -36,21 +36,26 @@ pub(super) struct Search<'a> {
     study: &'a Study,
     reference: &'a Reference,
     tolerance: f64,
+    /// The levels, and the terms that are not negligible by their bounds where no level has just these.
+    fidelities: Vec<Fidelity>,
     tried: Vec<Choice>,
     /// None of models that cannot be assembled or run.
     known: BTreeMap<(usize, String), Option<Model>>,
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(study: &'a Study, reference: &'a Reference, tolerance: f64) -> Self {
-        Self { study, reference, tolerance, tried: Vec::new(), known: BTreeMap::new() }
+    /// `needed`: the terms that are not negligible.
+    pub(super) fn new(study: &'a Study, reference: &'a Reference, tolerance: f64, needed: Fidelity) -> Self {
+        let is_level = LEVELS.iter().any(|level| level.terms().eq(needed.terms()));
+        let fidelities = LEVELS.into_iter().chain((!is_level).then_some(needed)).collect();
+        Self { study, reference, tolerance, fidelities, tried: Vec::new(), known: BTreeMap::new() }
     }
 
     pub(super) fn tried(self) -> Vec<Choice> {
         self.tried
     }
 
-    /// The fewest modes, then the fewest terms, that lack no more than `error`; none if even the whole model cannot.
+    /// The fewest modes, then the cheapest terms, that lack no more than `error`; none if even the whole model cannot.
     ///
     /// By halving: more modes are taken to be no worse.
     pub(super) fn least(&mut self, error: f64) -> Option<(usize, Fidelity)> {
@@ -69,7 +74,14 @@ impl<'a> Search<'a> {
         if low == 0 {
             return Some((0, Fidelity::Full));
         }
-        LEVELS.into_iter().find(|level| self.error(low, level) <= error).map(|level| (low, level))
+        let mut by_cost: Vec<(f64, Fidelity)> = Vec::new();
+        for fidelity in self.fidelities.clone() {
+            if let Ok(variant) = self.study.variant(low, &fidelity) {
+                by_cost.push((variant.cost.operations, fidelity));
+            }
+        }
+        by_cost.sort_by(|a, b| a.0.total_cmp(&b.0));
+        by_cost.into_iter().find(|(_, level)| self.error(low, level) <= error).map(|(_, level)| (low, level))
     }
 
     /// What a model lacks; infinite where it cannot be assembled or run.

@@ -1,37 +1,14 @@
 //! What modes and terms do in the motion of the whole model.
 
 use ffrf_codegen::Fidelity;
-use ffrf_codegen::fidelity::EnergyTerm;
-use ffrf_runtime::{Envelope, FlexibleBody, ModalMatrix, Observables, State};
+use ffrf_runtime::{Envelope, State};
 
-use super::super::{Study, TradeoffError, Variant};
-use crate::{HostBody, HostModal};
-
-/// What a mode does in a scene.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ModeUse {
-    /// Name of the body.
-    pub body: String,
-    /// The mode, from 1.
-    pub mode: usize,
-    /// √(K/Θ_ff) of the mode by itself. Units: Hz.
-    pub frequency: f64,
-    /// The largest displacement that it gives a marker of the body. Units: m.
-    pub displacement: f64,
-    /// Its largest elastic energy over the largest of the body.
-    pub energy_share: f64,
-}
-
-/// How large a term of the kinetic energy is in a scene.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TermUse {
-    /// Name of the body.
-    pub body: String,
-    /// The term.
-    pub term: EnergyTerm,
-    /// Its largest size over the largest kinetic energy of the body: what the equations lose without it.
-    pub share: f64,
-}
+use super::super::{MotionLimits, Reference, Study, TradeoffError, Variant};
+use super::modes::{ModeUse, mode_uses};
+use super::statics::{Truncation, truncation};
+use super::terms::{TermUse, term_uses};
+use super::track::{limits, tracks};
+use crate::HostModal;
 
 /// What a plan found out about the motion that it is for.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,41 +17,60 @@ pub struct Motion {
     pub modes: Vec<ModeUse>,
     /// How large each term of the kinetic energy is.
     pub terms: Vec<TermUse>,
+    /// For each flexible body its name and what it does at most, and `MARGIN` beyond: what bounds of terms are taken from.
+    pub limits: Vec<(String, MotionLimits)>,
     /// For each flexible body its name and what a monitor on the target may hold it to: what it does in this motion, and
     /// `MARGIN` beyond.
     pub envelopes: Vec<(String, Envelope)>,
 }
 
-/// How far a motion may leave the planned one: what is dropped grows with the square, to 1.6 of what was planned for.
+impl Motion {
+    /// The terms that can contribute more than `share` of the forces in any body, and those that are always kept.
+    pub fn needed_terms(&self, share: f64) -> Fidelity {
+        let needed = self.terms.iter().filter(|one| one.largest_bound() > share).map(|one| one.term);
+        Fidelity::Terms(needed.collect())
+    }
+}
+
+/// How far a motion may leave the samples of the planned one: what is dropped grows with the square, to 1.6 of what was planned
+/// for.
 const MARGIN: f64 = 1.25;
 
 /// Looks at the motion. `states`: for each time the numbers of all bodies, one after the other.
-pub(super) fn look(study: &Study, whole: &Variant, states: &[Vec<f64>]) -> Result<Motion, TradeoffError> {
-    let (mut modes, mut terms, mut envelopes) = (Vec::new(), Vec::new(), Vec::new());
-    let mechanism = &whole.scene.mechanism;
-    let mut start = 0;
-    for (index, (body, name)) in mechanism.bodies().iter().zip(&whole.scene.body_names).enumerate() {
-        let end = start + 13 + 2 * body.mode_count();
-        let own: Vec<State<HostModal>> = states.iter().map(|row| state(body, &row[start..end])).collect();
-        start = end;
+pub(super) fn look(
+    study: &Study,
+    reference: &Reference,
+    whole: &Variant,
+    states: &[Vec<f64>],
+) -> Result<Motion, TradeoffError> {
+    let mut motion =
+        Motion { modes: Vec::new(), terms: Vec::new(), limits: Vec::new(), envelopes: Vec::new() };
+    let tracks = tracks(reference, whole, states);
+    let bodies = whole.scene.mechanism.bodies().iter().zip(&whole.scene.body_names).zip(&tracks);
+    for (index, ((body, name), track)) in bodies.enumerate() {
         if body.mode_count() == 0 {
             continue;
         }
-        let uses = mode_uses(body, name, &mechanism.markers()[index], &own);
-        envelopes.push((name.clone(), envelope(&uses, &own)));
-        modes.extend(uses);
-        let energies =
-            |body: &HostBody| -> Vec<f64> { own.iter().map(|state| kinetic(body, state)).collect() };
-        let all = energies(body);
-        let largest = all.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        for term in EnergyTerm::ALL.into_iter().filter(|term| !term.is_always_kept()) {
-            let others = EnergyTerm::ALL.into_iter().filter(|other| *other != term);
-            let without = study.body_with(index, &Fidelity::Terms(others.collect()))?;
-            let size = all.iter().zip(energies(&without)).map(|(all, without)| (all - without).abs());
-            terms.push(TermUse { body: name.clone(), term, share: size.fold(0.0, f64::max) / largest });
-        }
+        let model = study.model(index)?;
+        let uses = mode_uses(body, &model, name, track, &reference.times);
+        let limits = limits(body, track).scaled(MARGIN);
+        motion.envelopes.push((name.clone(), envelope(&uses, &track.states)));
+        motion.modes.extend(uses);
+        motion.terms.extend(term_uses(study, index, &model, name, track, &limits)?);
+        motion.limits.push((name.clone(), limits));
     }
-    Ok(Motion { modes, terms, envelopes })
+    Ok(motion)
+}
+
+/// What a model of the first `modes` modes loses by truncation in each channel, see [`Truncation`].
+pub(super) fn truncations(
+    reference: &Reference,
+    whole: &Variant,
+    states: &[Vec<f64>],
+    uses: &[ModeUse],
+    modes: usize,
+) -> Vec<Truncation> {
+    truncation(reference, whole, &tracks(reference, whole, states), uses, modes)
 }
 
 fn envelope(modes: &[ModeUse], states: &[State<HostModal>]) -> Envelope {
@@ -86,43 +82,4 @@ fn envelope(modes: &[ModeUse], states: &[State<HostModal>]) -> Envelope {
         spin: largest(|state| state.angular_velocity.norm()),
         bending: std::f64::consts::TAU * lowest,
     }
-}
-
-fn state(body: &HostBody, numbers: &[f64]) -> State<HostModal> {
-    let mut state = State::at_rest(body);
-    state.set_numbers(&mut numbers.iter().copied());
-    state
-}
-
-fn kinetic(body: &HostBody, state: &State<HostModal>) -> f64 {
-    let velocity = state.body_velocity();
-    body.kinetic_energy(&state.modal_coordinates, &velocity, &state.angular_velocity, &state.modal_rates)
-}
-
-fn mode_uses(
-    body: &HostBody,
-    name: &str,
-    markers: &[ffrf_runtime::Marker<HostModal, f64>],
-    states: &[State<HostModal>],
-) -> Vec<ModeUse> {
-    let on_diagonal = |matrix: &ModalMatrix<HostModal, f64>, mode: usize| matrix.dense()[(mode, mode)];
-    let (stiffness, mass) = (body.stiffness(), body.modal_mass());
-    let total = states.iter().map(|state| body.elastic_energy(&state.modal_coordinates));
-    let total = total.fold(f64::MIN_POSITIVE, f64::max);
-    let one = |mode: usize| {
-        let amplitudes = states.iter().map(|state| state.modal_coordinates.0[mode].abs());
-        let amplitude = amplitudes.fold(0.0, f64::max);
-        let moved = markers
-            .iter()
-            .map(|marker| marker.translation.iter().map(|row| row.0[mode].powi(2)).sum::<f64>().sqrt());
-        let stiffness = on_diagonal(&stiffness, mode);
-        ModeUse {
-            body: name.to_owned(),
-            mode: mode + 1,
-            frequency: (stiffness / on_diagonal(&mass, mode)).max(0.0).sqrt() / std::f64::consts::TAU,
-            displacement: amplitude * moved.fold(0.0, f64::max),
-            energy_share: 0.5 * stiffness * amplitude * amplitude / total,
-        }
-    };
-    (0..body.mode_count()).map(one).collect()
 }

@@ -9,13 +9,31 @@ use super::super::{Configuration, Quantity, Reference, ReferenceOptions, Study, 
 use super::model::LEVELS;
 use crate::scene::{Integrator, StepChoice};
 
-/// What a step may take, and what may be chosen from.
+/// Floating-point operations of compiled code that there is time for: where a number type is computed in software, fewer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Operations {
+    /// In double precision.
+    pub double: f64,
+    /// In single precision.
+    pub single: f64,
+}
+
+impl Operations {
+    /// Those in a number type.
+    pub fn of(&self, scalar: ScalarType) -> f64 {
+        if scalar == ScalarType::F32 { self.single } else { self.double }
+    }
+}
+
+/// What a period of a loop may take, and what may be chosen from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StepBudget {
-    /// The step of the integrator, equal to the period of the loop. Units: s.
+    /// The period of the loop. Units: s.
     pub step: f64,
-    /// Floating-point operations of compiled code that there is time for.
-    pub operations: f64,
+    /// What there is time for in a period.
+    pub operations: Operations,
+    /// Into how many equal steps of the integrator a period may be divided: one, for a step in a period.
+    pub divisions: Vec<usize>,
     /// What errors are taken in; see [`super::super::Channel::of`].
     pub quantities: Vec<Quantity>,
     /// Integrators to choose from.
@@ -29,7 +47,9 @@ pub struct StepBudget {
 pub struct Affordable {
     /// Modes, terms, number type, integrator and step.
     pub configuration: Configuration,
-    /// Operations of a step.
+    /// Steps in a period.
+    pub divisions: usize,
+    /// Operations of a period.
     pub operations: f64,
     /// Error against all modes and terms, over the scale of the worst quantity, or why the run ended early.
     pub error: Result<f64, String>,
@@ -59,7 +79,31 @@ const TRIES: usize = 4;
 /// More modes are taken to be no worse, as long as the step is stable with them. Errors: the scene cannot be simulated, or
 /// nothing that may be chosen ends its run within the budget.
 pub fn plan_within(study: &Study, budget: &StepBudget) -> Result<PlanWithin, TradeoffError> {
+    let refused = || TradeoffError::StepBudget {
+        operations: budget.operations.double.max(budget.operations.single),
+        step: budget.step,
+        tried: "it is longer than the scene".to_owned(),
+    };
+    let study = &study.in_steps_of(budget.step).ok_or_else(refused)?;
     let reference = Reference::compute(study, &budget.quantities, ReferenceOptions::default())?;
+    choose(study, reference, budget)
+}
+
+/// Chooses again, for other operations, with the reference of an earlier plan of the same study, period and quantities.
+///
+/// Errors: see [`plan_within`].
+pub fn plan_again_within(
+    study: &Study,
+    earlier: &PlanWithin,
+    budget: &StepBudget,
+) -> Result<PlanWithin, TradeoffError> {
+    match study.in_steps_of(budget.step) {
+        Some(study) => choose(&study, earlier.reference.clone(), budget),
+        None => plan_within(study, budget),
+    }
+}
+
+fn choose(study: &Study, reference: Reference, budget: &StepBudget) -> Result<PlanWithin, TradeoffError> {
     let mut tried = Vec::new();
     for fidelity in LEVELS {
         let counts: Vec<usize> = match fidelity {
@@ -69,18 +113,17 @@ pub fn plan_within(study: &Study, budget: &StepBudget) -> Result<PlanWithin, Tra
         let variants: Vec<Variant> =
             counts.iter().map(|count| study.variant(*count, &fidelity)).collect::<Result<_, _>>()?;
         for integrator in &budget.integrators {
-            for scalar in &budget.scalars {
-                for (modes, variant) in affordable(budget, *integrator, &counts, &variants) {
-                    let configuration = Configuration {
-                        modes,
-                        fidelity: fidelity.clone(),
-                        scalar: *scalar,
-                        integrator: *integrator,
-                        step: budget.step,
-                    };
-                    let one = run(study, &reference, variant, configuration);
+            for (scalar, divisions) in
+                budget.scalars.iter().flat_map(|scalar| budget.divisions.iter().map(move |d| (*scalar, *d)))
+            {
+                let step = budget.step / divisions.max(1) as f64;
+                let operations = budget.operations.of(scalar) / divisions.max(1) as f64;
+                for (modes, variant) in affordable(step, operations, *integrator, &counts, &variants) {
+                    let (fidelity, integrator) = (fidelity.clone(), *integrator);
+                    let configuration = Configuration { modes, fidelity, scalar, integrator, step };
+                    let one = run(study, &reference, variant, configuration, divisions.max(1));
                     // fewer modes where iterations made the step too dear, or where it was too long for them
-                    let enough = one.error.is_ok() && one.operations <= budget.operations;
+                    let enough = one.error.is_ok() && one.share(budget) <= 1.0;
                     tried.push(one);
                     if enough {
                         break;
@@ -90,12 +133,12 @@ pub fn plan_within(study: &Study, budget: &StepBudget) -> Result<PlanWithin, Tra
         }
     }
     let kept = |one: &Affordable| match one.error {
-        Ok(error) if one.operations <= budget.operations && error.is_finite() => Some(error),
+        Ok(error) if one.share(budget) <= 1.0 && error.is_finite() => Some(error),
         _ => None,
     };
     let least = tried.iter().filter_map(kept).fold(f64::INFINITY, f64::min);
     let alike = tried.iter().filter(|one| kept(one).is_some_and(|error| error <= ALIKE * least));
-    let rank = |one: &Affordable| (one.operations, one.configuration.scalar.name());
+    let rank = |one: &Affordable| (one.share(budget), one.configuration.scalar.name());
     let best = alike.min_by(|a, b| {
         let (a, b) = (rank(a), rank(b));
         a.0.total_cmp(&b.0).then(a.1.cmp(b.1))
@@ -103,7 +146,7 @@ pub fn plan_within(study: &Study, budget: &StepBudget) -> Result<PlanWithin, Tra
     match best.and_then(|best| kept(best).map(|error| (best.clone(), error))) {
         Some((best, error)) => Ok(PlanWithin { best, error, tried, reference }),
         None => Err(TradeoffError::StepBudget {
-            operations: budget.operations,
+            operations: budget.operations.double.max(budget.operations.single),
             step: budget.step,
             tried: tried.iter().map(Affordable::describe).collect::<Vec<_>>().join("; "),
         }),
@@ -112,7 +155,8 @@ pub fn plan_within(study: &Study, budget: &StepBudget) -> Result<PlanWithin, Tra
 
 /// The models that a step has time for and is stable with, those of most modes first.
 fn affordable<'a>(
-    budget: &StepBudget,
+    step: f64,
+    allowed: f64,
     integrator: Integrator,
     counts: &[usize],
     variants: &'a [Variant],
@@ -120,15 +164,23 @@ fn affordable<'a>(
     let fits = |variant: &Variant| {
         let operations = variant.cost.operations * evaluations_per_step(integrator, 1.0);
         let stable = variant.scene.mechanism.largest_stable_step().filter(|_| integrator.is_explicit());
-        operations <= budget.operations && stable.is_none_or(|stable| budget.step <= stable)
+        operations <= allowed && stable.is_none_or(|stable| step <= stable)
     };
     let all = counts.iter().copied().zip(variants).rev();
     all.filter(|(_, variant)| fits(variant)).take(TRIES).collect()
 }
 
-fn run(study: &Study, reference: &Reference, variant: &Variant, configuration: Configuration) -> Affordable {
+fn run(
+    study: &Study,
+    reference: &Reference,
+    variant: &Variant,
+    configuration: Configuration,
+    divisions: usize,
+) -> Affordable {
     let Configuration { integrator, step, scalar, .. } = configuration;
-    let operations = |iterations: f64| variant.cost.operations * evaluations_per_step(integrator, iterations);
+    let operations = |iterations: f64| {
+        divisions as f64 * variant.cost.operations * evaluations_per_step(integrator, iterations)
+    };
     let ran = study.settings_of(integrator, StepChoice::Fixed(step)).map_err(|error| error.to_string());
     let ran = ran.and_then(|settings| {
         let Reference { channels, times, .. } = reference;
@@ -141,14 +193,22 @@ fn run(study: &Study, reference: &Reference, variant: &Variant, configuration: C
     match ran {
         Ok((history, steps)) => Affordable {
             configuration,
+            divisions,
             operations: operations(steps.iterations as f64 / steps.accepted.max(1) as f64),
             error: Ok(reference.errors(&history).into_iter().fold(0.0, f64::max)),
         },
-        Err(reason) => Affordable { configuration, operations: operations(1.0), error: Err(reason) },
+        Err(reason) => {
+            Affordable { configuration, divisions, operations: operations(1.0), error: Err(reason) }
+        }
     }
 }
 
 impl Affordable {
+    /// What it takes of the time that there is.
+    pub fn share(&self, budget: &StepBudget) -> f64 {
+        self.operations / budget.operations.of(self.configuration.scalar)
+    }
+
     /// In words.
     pub fn describe(&self) -> String {
         let Configuration { modes, fidelity, scalar, integrator, .. } = &self.configuration;
@@ -157,8 +217,9 @@ impl Affordable {
             Err(reason) => reason.clone(),
         };
         let (scalar, integrator) = (scalar.name(), integrator.name());
+        let steps = if self.divisions > 1 { format!(", {} steps", self.divisions) } else { String::new() };
         format!(
-            "{modes} modes, {fidelity}, {scalar}, {integrator}: {:.3e} operations, {came}",
+            "{modes} modes, {fidelity}, {scalar}, {integrator}{steps}: {:.3e} operations, {came}",
             self.operations
         )
     }

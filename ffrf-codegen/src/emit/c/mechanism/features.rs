@@ -56,6 +56,9 @@ pub(super) fn of(subject: &MechanismSubject<'_>) -> BTreeSet<&'static str> {
             ("ELEMENTS", !model.elements.is_empty()),
             ("EFFORT", !model.actuators.is_empty()),
             ("ACTUATORS", !model.actuators.is_empty()),
+            ("PARAMETERS", model.composition.is_some()),
+            ("CONSTANT_TABLES", model.composition.is_none()),
+            ("SCHEDULES", model.composition.is_some() && !model.actuators.is_empty()),
             ("FORCES", !(model.elements.is_empty() && model.actuators.is_empty())),
             ("SENSORS", !model.sensors.is_empty()),
             ("REACTION", model.sensors.iter().any(is_reaction)),
@@ -66,6 +69,7 @@ pub(super) fn of(subject: &MechanismSubject<'_>) -> BTreeSet<&'static str> {
             ("NOT_TURNING", !turning),
             ("IMPLICIT", implicit),
             ("EXPLICIT", !implicit),
+            ("STRESSED", model.markers.iter().any(|marker| marker.load_stiffness.is_some())),
             ("RK4", model.method == StepMethod::Rk4),
             ("LINEARLY_IMPLICIT", model.method == StepMethod::LinearlyImplicit),
             (

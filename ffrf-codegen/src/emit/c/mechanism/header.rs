@@ -1,9 +1,11 @@
 //! The header of a mechanism, and what stands at the head of both files.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::MechanismSubject;
 use crate::emit::c::notation::number;
+use crate::emit::c::template;
 use crate::emit::c::text::harmless;
 use crate::mechanism::{SensorKindModel, StepMethod};
 
@@ -38,10 +40,14 @@ pub(super) fn banner(subject: &MechanismSubject<'_>) -> String {
 }
 
 /// The header.
-pub(super) fn header(subject: &MechanismSubject<'_>) -> String {
+pub(super) fn header(subject: &MechanismSubject<'_>, features: &BTreeSet<&str>) -> String {
     let (model, names, kind) = (subject.model, subject.names, subject.type_name());
     let prefix = &names.prefix;
     let upper = prefix.to_uppercase();
+    let taken = match model.composition {
+        Some(_) => format!("const {prefix}_tables *tables, "),
+        None => String::new(),
+    };
     let mut text = banner(subject);
     let _ = write!(
         text,
@@ -72,12 +78,19 @@ pub(super) fn header(subject: &MechanismSubject<'_>) -> String {
         number(model.step, subject.options.scalar)
     );
     list(&mut text, &upper, "ACTUATOR", "Numbers of the actuators.", &names.actuators, |_| 1);
+    let count = names.actuators.len().max(1);
     let _ = write!(
         text,
         "/*\n * Inputs of the actuators, set by the caller and held over a step. Each exerts its gain times its input, at most its limit.\n \
-         {}*/\ntypedef struct {{\n    {kind} actuators[{}];\n}} {prefix}_inputs;\n\n",
+         {}*/\ntypedef struct {{\n    {kind} actuators[{count}];\n{follows}}} {prefix}_inputs;\n\n",
         if names.actuators.is_empty() { "* There are none: of no effect.\n " } else { "" },
-        names.actuators.len().max(1)
+        follows = if features.contains("SCHEDULES") {
+            format!(
+                "    /* where not zero, the input is the polynomial of time of the scene */\n    int follows[{count}];\n"
+            )
+        } else {
+            String::new()
+        },
     );
     let widths: Vec<usize> = model.sensors.iter().map(|sensor| sensor.kind.width()).collect();
     let what = "Where the numbers of each sensor begin among the outputs.";
@@ -115,21 +128,100 @@ pub(super) fn header(subject: &MechanismSubject<'_>) -> String {
          /* a mass or the system of equations has no factors */\n    {upper}_NO_MASS = 3,\n    \
          /* a joint cannot be met again: the step is too large */\n    {upper}_JOINTS_NOT_MET = 4,\n    \
          /* a number of the state after the step is not finite: the step is too large */\n    {upper}_NOT_FINITE = 5,\n    \
-         /* the angle of a driven joint is beyond the digits of its number */\n    {upper}_TOO_FAR = 6\n}};\n\n\
-         /* The state at the beginning: the scene's, with its joints met. */\nvoid {prefix}_start({prefix}_state *state);\n\n\
-         /*\n * Advances the state by one step. Bounded work, no heap; all that it needs is on the stack.\n \
+         /* the angle of a driven joint is beyond the digits of its number */\n    {upper}_TOO_FAR = 6{}\n}};\n\n{}/*\n * Advances the state by one step. Bounded work, no heap; all that it needs is on the stack.\n \
          * Where it does not answer {upper}_DONE, the state is unchanged. Units: step s.\n */\n\
-         int {prefix}_step({prefix}_state *state, const {prefix}_inputs *inputs, {kind} step);\n\n"
+         int {prefix}_step({taken}{prefix}_state *state, const {prefix}_inputs *inputs, {kind} step);\n\n",
+        if subject.model.composition.is_some() {
+            format!(",\n    /* a parameter that the mechanism cannot have */\n    {upper}_PARAMETERS = 7")
+        } else {
+            String::new()
+        },
+        beginning(subject, features),
     );
     if !names.sensors.is_empty() {
         let _ = write!(
             text,
             "/* Reads the sensors in a state: one evaluation of accelerations and reactions. */\n\
-             int {prefix}_read(const {prefix}_state *state, const {prefix}_inputs *inputs, {prefix}_outputs *outputs);\n\n"
+             int {prefix}_read({taken}const {prefix}_state *state, const {prefix}_inputs *inputs, {prefix}_outputs *outputs);\n\n"
         );
     }
+    let _ = write!(
+        text,
+        "/*\n * Energies and how far the joints are from being met. `potential`: of gravity and of force elements. Units: J; largest\n \
+         * residual of positions m or rad, of velocities that per second.\n */\ntypedef struct {{\n    {kind} kinetic;\n    \
+         {kind} elastic;\n    {kind} potential;\n    {kind} position_drift;\n    {kind} velocity_drift;\n}} \
+         {prefix}_observables;\n\n\
+         /* Observes a state: no system of equations is solved for it. */\n\
+         int {prefix}_observe({taken}const {prefix}_state *state, {prefix}_observables *observed);\n\n"
+    );
     let _ = write!(text, "#ifdef __cplusplus\n}}\n#endif\n\n#endif /* {upper}_H */\n");
     text
+}
+
+/// The function that gives the state at the beginning, and what it needs.
+fn beginning(subject: &MechanismSubject<'_>, features: &BTreeSet<&str>) -> String {
+    let (prefix, kind) = (&subject.names.prefix, subject.type_name());
+    let Some(composition) = &subject.model.composition else {
+        return format!(
+            "/* The state at the beginning: the scene's, with its joints met. */\nvoid {prefix}_start({prefix}_state *state);\n\n"
+        );
+    };
+    let mut text = String::new();
+    if features.contains("SCHEDULES") {
+        let _ = write!(
+            text,
+            "/* The input of an actuator as the scene has it, a polynomial of time. Units: time s. */\n\
+             {kind} {prefix}_scheduled(int actuator, {kind} time);\n\n"
+        );
+    }
+    text.push_str(&places(features, &format!("{prefix}_"), kind));
+    let _ = write!(
+        text,
+        "/* What follows from parameters: made by {prefix}_compose, read by the other functions, changed by none of them. */\n\
+         typedef struct {{\n    {kind} gravity[3];\n"
+    );
+    let relations: usize = subject.model.joints.iter().map(|joint| joint.relations.len()).sum();
+    for (what, count) in [
+        ("link_place links", subject.plan.joints.len().max(1)),
+        ("relation relations", relations.max(1)),
+        ("element elements", subject.model.elements.len()),
+        ("actuator actuators", subject.model.actuators.len()),
+    ] {
+        if count > 0 {
+            let _ = writeln!(text, "    {prefix}_{what}[{count}];");
+        }
+    }
+    let _ = write!(
+        text,
+        "}} {prefix}_tables;\n\n\
+         /*\n * The tables and the state at the beginning for parameters in the order of the scene, with joints met as drives are then.\n \
+         * With the scene's own parameters at time zero, the scene's own state. `refused`: the parameter that cannot be, or -1.\n \
+         * Shape: parameters {}. Units: time s.\n */\n\
+         int {prefix}_compose(\n    const {kind} *parameters, {kind} time, {prefix}_tables *tables, {prefix}_state *state, \
+         int *refused\n);\n\n",
+        composition.parameters.len()
+    );
+    text
+}
+
+/// The types of places, with this before their names, and this type of numbers.
+pub(super) fn places(features: &BTreeSet<&str>, prefix: &str, kind: &str) -> String {
+    template::filled(include_str!("solver/places.c"), features, &[("@S", prefix), ("@R", kind)])
+}
+
+/// The names that the solver has for the types of places in the header.
+pub(super) fn aliases(subject: &MechanismSubject<'_>, features: &BTreeSet<&str>) -> String {
+    let names = [
+        ("end_place", true),
+        ("attachment", true),
+        ("link_place", true),
+        ("relation", true),
+        ("element", features.contains("ELEMENTS")),
+        ("actuator", features.contains("ACTUATORS")),
+    ];
+    let prefix = &subject.names.prefix;
+    let there = names.into_iter().filter(|(_, is_there)| *is_there);
+    there.map(|(name, _)| format!("typedef {prefix}_{name} {name};\n")).collect::<String>() + "\n"
 }
 
 /// Constants of names, each as far behind the one before as that is wide.

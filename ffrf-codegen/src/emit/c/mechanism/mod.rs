@@ -28,7 +28,7 @@ const BEFORE: [&str; 4] = [
 ];
 
 /// Those behind it.
-const BEHIND: [&str; 10] = [
+const BEHIND: [&str; 12] = [
     include_str!("solver/bodies.c"),
     include_str!("solver/markers.c"),
     include_str!("solver/relations.c"),
@@ -39,6 +39,8 @@ const BEHIND: [&str; 10] = [
     include_str!("solver/step.c"),
     include_str!("solver/methods.c"),
     include_str!("solver/outputs.c"),
+    include_str!("solver/observe.c"),
+    include_str!("solver/compose.c"),
 ];
 
 /// What a mechanism is printed from, besides its model.
@@ -77,13 +79,27 @@ impl MechanismSubject<'_> {
 /// Errors: a number is not finite in the scalar type.
 pub(crate) fn mechanism(subject: &MechanismSubject<'_>) -> Result<[String; 3], CodegenError> {
     let (features, numbers) = (features::of(subject), Numbers::new(subject.options.scalar));
-    let header = header::header(subject);
+    let header = header::header(subject, &features);
     let macro_prefix = subject.names.prefix.to_uppercase();
-    let names = [("@P", subject.names.prefix.as_str()), ("@M", macro_prefix.as_str())];
+    // tables are constants, or they are the caller's and their types stand in the header
+    let taken = format!("const {}_tables *tables, ", subject.names.prefix);
+    let (tables_at, taken) =
+        if features.contains("PARAMETERS") { ("work->tables->", taken.as_str()) } else { ("", "") };
+    let names = [
+        ("@P", subject.names.prefix.as_str()),
+        ("@M", macro_prefix.as_str()),
+        ("@T", tables_at),
+        ("@G", taken),
+    ];
     let mut text = String::from("#include <math.h>\n#include <stddef.h>\n\n");
     text.push_str(subject.kernels);
     text.push('\n');
     text.push_str(&tables::constants(subject, &numbers));
+    if features.contains("PARAMETERS") {
+        text.push_str(&header::aliases(subject, &features));
+    } else {
+        text.push_str(&header::places(&features, "", "real"));
+    }
     text.push_str(&template::filled(include_str!("solver/types.c"), &features, &names));
     text.push_str(&tables::tables(subject, &numbers));
     let mut solver = |parts: &[&str]| {

@@ -16,7 +16,7 @@ static void accelerate(const stage_terms *terms, workspace *work)
     }
     for (index = 0; index < JOINTS; index++) {
         const row_set *rows = &work->rows[index];
-        real *wanted = &work->right[6 * links[index].node];
+        real *wanted = &work->right[6 * @Tlinks[index].node];
         int end;
         copy(rows->count, rows->bias, wanted);
         for (end = 0; end < 2; end++) {
@@ -50,7 +50,7 @@ static void correct(int is_velocity, workspace *work)
 //@ end
     for (index = 0; index < JOINTS; index++) {
         const row_set *rows = &work->rows[index];
-        real *wanted = &work->right[6 * links[index].node];
+        real *wanted = &work->right[6 * @Tlinks[index].node];
         if (is_velocity != 0) {
             row_velocities(index, work, wanted);
         } else {

@@ -140,11 +140,12 @@ static void body_velocities(const body_work *body, const real *increment, real *
 }
 
 /* Adds the force of uniform gravity. */
-static void weigh(int index, body_work *body)
+static void weigh(int index, workspace *work)
 {
+    body_work *body = &work->bodies[index];
     real along[3];
     real moment[3];
-    components_along(body->axes, gravity, along);
+    components_along(body->axes, @Tgravity, along);
     cross(body->first_moment, along, moment);
     add_scaled(3, body->mass, along, &body->force[0]);
     add_scaled(3, (real)1, moment, &body->force[3]);

@@ -198,16 +198,45 @@ static void push_both(const attachment at[2], real wrenches[2][6], workspace *wo
 }
 
 //@ end
+//@ if SCHEDULES
+real @P_scheduled(int index, real time)
+{
+    real value = (real)0;
+    int k;
+    if (index < 0 || index >= ACTUATORS) {
+        return value;
+    }
+    for (k = schedules[index].count - 1; k >= 0; k--) {
+        value = value * time + schedule_coefficients[schedules[index].first + k];
+    }
+    return value;
+}
+
+//@ end
+//@ if ACTUATORS
+/* The input of an actuator: what the caller has set, or where it has set nothing, the polynomial of time of the scene. */
+static real input_at(int index, const mechanism_inputs *inputs, real time)
+{
+//@ if SCHEDULES
+    if (inputs->follows[index] != 0) {
+        return @P_scheduled(index, time);
+    }
+//@ end
+    (void)time;
+    return inputs->actuators[index];
+}
+
+//@ end
 /* Adds gravity, force elements and actuators. */
-static void load(const mechanism_inputs *inputs, workspace *work)
+static void load(const mechanism_inputs *inputs, real time, workspace *work)
 {
     int index;
     for (index = 0; index < BODIES; index++) {
-        weigh(index, &work->bodies[index]);
+        weigh(index, work);
     }
 //@ if ELEMENTS
     for (index = 0; index < ELEMENTS; index++) {
-        const element *one = &elements[index];
+        const element *one = &@Telements[index];
         real wrenches[2][6];
         motion at[2];
         attachment_motion(&one->at[0], work, &at[0]);
@@ -251,16 +280,17 @@ static void load(const mechanism_inputs *inputs, workspace *work)
         real wrenches[2][6];
         motion at[2];
         real effort;
-        attachment_motion(&actuators[index].at[0], work, &at[0]);
-        attachment_motion(&actuators[index].at[1], work, &at[1]);
+        attachment_motion(&@Tactuators[index].at[0], work, &at[0]);
+        attachment_motion(&@Tactuators[index].at[1], work, &at[1]);
         fill(6, (real)0, wrenches[0]);
         fill(6, (real)0, wrenches[1]);
-        effort = actuators[index].gain * inputs->actuators[index];
-        effort = effort < -actuators[index].limit ? -actuators[index].limit : effort;
-        effort = effort > actuators[index].limit ? actuators[index].limit : effort;
-        exert(actuators[index].effort, at, effort, wrenches);
-        push_both(actuators[index].at, wrenches, work);
+        effort = @Tactuators[index].gain * input_at(index, inputs, time);
+        effort = effort < -@Tactuators[index].limit ? -@Tactuators[index].limit : effort;
+        effort = effort > @Tactuators[index].limit ? @Tactuators[index].limit : effort;
+        exert(@Tactuators[index].effort, at, effort, wrenches);
+        push_both(@Tactuators[index].at, wrenches, work);
     }
 //@ end
     (void)inputs;
+    (void)time;
 }

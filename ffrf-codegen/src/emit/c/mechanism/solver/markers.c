@@ -8,6 +8,10 @@ typedef struct {
     const marker_shape *shape;
     real half[3];
     real share;
+//@ if STRESSED
+    /* the rows in this deformation */
+    marker_shape bent;
+//@ end
 //@ end
 } placed_marker;
 
@@ -23,6 +27,28 @@ static void combine(int modes, const real *rows, const real *amounts, real vecto
             sum += rows[MODES * axis + k] * amounts[k];
         }
         vector[axis] = sum;
+    }
+}
+
+//@ end
+//@ if STRESSED
+/* The rows of a marker where loads stress the body: they follow the deformation. */
+static void bend(const marker_shape *shape, int modes, const real *q, marker_shape *bent)
+{
+    int axis;
+    int k;
+    int l;
+    *bent = *shape;
+    for (axis = 0; axis < 6; axis++) {
+        real *row = axis < 3 ? &bent->translation[MODES * axis] : &bent->rotation[MODES * (axis - 3)];
+        for (k = 0; k < modes; k++) {
+            const real *stressed = &shape->stressed[modes * (modes * axis + k)];
+            real sum = (real)0;
+            for (l = 0; l < modes; l++) {
+                sum += stressed[l] * q[l];
+            }
+            row[k] -= sum;
+        }
     }
 }
 
@@ -47,6 +73,22 @@ static void place_marker(int marker, const workspace *work, placed_marker *place
         add_scaled(3, (real)1, vector, placed->arm);
         combine(placed->modes, placed->shape->rotation, q, vector);
         add_scaled(3, (real)0.5, vector, placed->half);
+//@ if STRESSED
+        if (placed->shape->stressed != NULL) {
+            /* The place is the integral of the rows along q: the mean of both. */
+            real straight[3];
+            bend(placed->shape, placed->modes, q, &placed->bent);
+            combine(placed->modes, placed->shape->translation, q, straight);
+            combine(placed->modes, placed->bent.translation, q, vector);
+            add_scaled(3, (real)-0.5, straight, placed->arm);
+            add_scaled(3, (real)0.5, vector, placed->arm);
+            combine(placed->modes, placed->shape->rotation, q, straight);
+            combine(placed->modes, placed->bent.rotation, q, vector);
+            add_scaled(3, (real)-0.25, straight, placed->half);
+            add_scaled(3, (real)0.25, vector, placed->half);
+            placed->shape = &placed->bent;
+        }
+//@ end
         placed->share = (real)1 / ((real)1 + dot(placed->half, placed->half));
     }
 //@ end
@@ -101,6 +143,27 @@ static void marker_force(const placed_marker *placed, const real force[3], const
     add_scaled(3, (real)1, vector, &generalised[3]);
 }
 
+//@ if STRESSED
+/* Adds what the rows change with time to the bias of a motion, along the axes of the body. */
+static void add_bending(const placed_marker *placed, const marker_shape *straight, const real *q_dot, motion *moving)
+{
+    marker_shape rates;
+    real change[3];
+    real vector[3];
+    bend(straight, placed->modes, q_dot, &rates);
+    combine(placed->modes, rates.translation, q_dot, change);
+    combine(placed->modes, straight->translation, q_dot, vector);
+    add_scaled(3, (real)-1, vector, change);
+    add_scaled(3, (real)1, change, moving->bias);
+    combine(placed->modes, rates.rotation, q_dot, change);
+    combine(placed->modes, straight->rotation, q_dot, vector);
+    add_scaled(3, (real)-1, vector, change);
+    cross(placed->half, change, vector);
+    add_scaled(3, (real)1, vector, change);
+    add_scaled(3, placed->share, change, moving->omega_bias);
+}
+
+//@ end
 /* Place and motion of a triad at a marker or on the ground. */
 static void attachment_motion(const attachment *at, const workspace *work, motion *moving)
 {
@@ -153,6 +216,11 @@ static void attachment_motion(const attachment *at, const workspace *work, motio
     }
 //@ end
     cross(state->omega, vector, moving->bias);
+//@ if STRESSED
+    if (placed.shape == &placed.bent) {
+        add_bending(&placed, &shapes[markers[at->marker].shape], state->q_dot, moving);
+    }
+//@ end
     along_axes(placed.axes, moving->bias, moving->bias);
     along_axes(placed.axes, moving->omega_bias, moving->omega_bias);
     along_axes(placed.axes, moving->omega, moving->omega);

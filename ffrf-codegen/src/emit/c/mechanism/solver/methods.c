@@ -108,9 +108,12 @@ static int advance(mechanism_state *state, const mechanism_inputs *inputs, real 
 }
 //@ end
 
-int @P_step(mechanism_state *state, const mechanism_inputs *inputs, real step)
+int @P_step(@Gmechanism_state *state, const mechanism_inputs *inputs, real step)
 {
     workspace work;
+//@ if PARAMETERS
+    work.tables = tables;
+//@ end
     if (!(step > (real)0 && is_finite(step))) {
         return @M_STEP_SIZE;
     }
@@ -129,8 +132,10 @@ int @P_step(mechanism_state *state, const mechanism_inputs *inputs, real step)
 //@ end
     return advance(state, inputs, step, &work);
 }
+//@ if CONSTANT_TABLES
 
 void @P_start(mechanism_state *state)
 {
     *state = beginning;
 }
+//@ end

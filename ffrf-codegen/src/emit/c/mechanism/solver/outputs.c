@@ -1,19 +1,23 @@
 //@ if SENSORS
-int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_outputs *outputs)
+int @P_read(@Gconst mechanism_state *state, const mechanism_inputs *inputs, @P_outputs *outputs)
 {
-    workspace work;
+    workspace space;
+    workspace *work = &space;
     stage_terms terms;
     int status;
     int index;
     int k;
+//@ if PARAMETERS
+    work->tables = tables;
+//@ end
     terms.gamma_h = (real)0;
     terms.subtracted = NULL;
     terms.increment = NULL;
     if (!(state_is_finite(state) && is_finite(state->time))) {
         return @M_STATE_NOT_FINITE;
     }
-    work.state = *state;
-    status = evaluate(inputs, state->time, &terms, &work);
+    work->state = *state;
+    status = evaluate(inputs, state->time, &terms, work);
     if (status != DONE) {
         return status;
     }
@@ -22,7 +26,7 @@ int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_out
         real *values = &outputs->values[one->first];
         real vector[3] = {(real)0, (real)0, (real)0};
         motion at;
-        attachment_motion(&one->at, &work, &at);
+        attachment_motion(&one->at, work, &at);
         switch (one->kind) {
         case POSITION:
             copy(3, at.position, values);
@@ -37,8 +41,8 @@ int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_out
             if (one->at.marker >= 0) {
                 placed_marker placed;
                 real twist[6];
-                place_marker(one->at.marker, &work, &placed);
-                marker_twist(&placed, work.bodies[placed.body].result, twist);
+                place_marker(one->at.marker, work, &placed);
+                marker_twist(&placed, work->bodies[placed.body].result, twist);
                 copy(3, twist, vector);
             }
             for (k = 0; k < 3; k++) {
@@ -47,7 +51,7 @@ int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_out
             break;
 //@ if TURN
         case TURN:
-            values[0] = relative_angle(work.at[one->link]);
+            values[0] = relative_angle(work->at[one->link]);
             break;
 //@ end
 //@ if REACTION
@@ -56,9 +60,9 @@ int @P_read(const mechanism_state *state, const mechanism_inputs *inputs, @P_out
             /* on the second body, of a joint and of its drive behind it */
             int j;
             for (j = one->link; j < one->link + one->link_count; j++) {
-                const real *gradients = work.rows[j].gradients[1];
-                for (k = 0; k < work.rows[j].count; k++) {
-                    const real multiplier = -work.solution[6 * links[j].node + k];
+                const real *gradients = work->rows[j].gradients[1];
+                for (k = 0; k < work->rows[j].count; k++) {
+                    const real multiplier = -work->solution[6 * @Tlinks[j].node + k];
                     const int first = one->kind == REACTION_FORCE ? 0 : 3;
                     vector[0] += gradients[6 * first + k] * multiplier;
                     vector[1] += gradients[6 * (first + 1) + k] * multiplier;

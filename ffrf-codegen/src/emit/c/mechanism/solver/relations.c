@@ -214,7 +214,7 @@ static void drive_at(const link_place *link, real time, real drive[3])
 /* Evaluates a joint: motion of its ends and rows. Gives a status. */
 static int evaluate_link(int index, real time, workspace *work)
 {
-    const link_place *link = &links[index];
+    const link_place *link = &@Tlinks[index];
     motion *at = work->at[index];
     row_set *rows = &work->rows[index];
     const real none[3] = {(real)0, (real)0, (real)0};
@@ -232,7 +232,7 @@ static int evaluate_link(int index, real time, workspace *work)
     drive_at(link, time, drive);
 //@ end
     for (k = 0; k < link->relation_count; k++) {
-        const relation *held = &relations[link->relations + k];
+        const relation *held = &@Trelations[link->relations + k];
         switch (held->kind) {
         case COINCIDENT:
             for (axis = 0; axis < 3; axis++) {

@@ -77,7 +77,7 @@ static void soften_spring(const element *one, const motion at[2], real gamma_h, 
 /* The rows of a soft link. */
 static void soften(int index, real gamma_h, workspace *work)
 {
-    const element *one = &elements[soft_elements[index - JOINTS]];
+    const element *one = &@Telements[soft_elements[index - JOINTS]];
     row_set *rows = &work->rows[index];
     motion *at = work->at[index];
     attachment_motion(&one->at[0], work, &at[0]);
@@ -169,7 +169,7 @@ static void pull_soft_links(const stage_terms *terms, workspace *work)
     }
     for (index = JOINTS; index < LINKS; index++) {
         real moved[6];
-        real *wanted = &work->right[6 * links[index].node];
+        real *wanted = &work->right[6 * @Tlinks[index].node];
         row_velocities(index, work, moved);
         if (terms->subtracted != NULL) {
             subtract_powers(index, work, displaced, moved);

@@ -43,7 +43,7 @@ static real yielding(const body_work *body, int modes, const real force[6])
 /* Puts the rows of a link on one of its bodies into the matrix; of a joint in a loop, sums what its rows meet there. */
 static void attach(int index, int end, workspace *work)
 {
-    const link_place *link = &links[index];
+    const link_place *link = &@Tlinks[index];
     const end_place *place = &link->ends[end];
     const real *gradients = work->rows[index].gradients[end];
     real *block;
@@ -130,7 +130,7 @@ static int factor(const stage_terms *terms, workspace *work)
         attach(index, 1, work);
 //@ if SOFT
         if (index >= JOINTS) {
-            const link_place *link = &links[index];
+            const link_place *link = &@Tlinks[index];
             int k;
             for (k = 0; k < link->rows; k++) {
                 work->blocks[36 * link->diagonal + 7 * k] -= (real)1;
@@ -139,7 +139,7 @@ static int factor(const stage_terms *terms, workspace *work)
 //@ end
 //@ if LOOPS
         if (index < JOINTS) {
-            shift_rows(&links[index], work);
+            shift_rows(&@Tlinks[index], work);
         }
 //@ end
     }
@@ -191,7 +191,7 @@ static void solve(int refinements, workspace *work)
     }
 //@ if FLEXIBLE
     for (index = 0; index < LINKS; index++) {
-        const link_place *link = &links[index];
+        const link_place *link = &@Tlinks[index];
         int end;
         for (end = 0; end < 2; end++) {
             if (link->ends[end].end >= 0) {
@@ -213,7 +213,7 @@ static void solve(int refinements, workspace *work)
 static void subtract_modal_accelerations(int index, const workspace *work, real wanted[6])
 {
 //@ if FLEXIBLE
-    const link_place *link = &links[index];
+    const link_place *link = &@Tlinks[index];
     int end;
     int k;
     for (end = 0; end < 2; end++) {
@@ -235,7 +235,7 @@ static void subtract_powers(int index, const workspace *work, const real *moving
 {
     int end;
     for (end = 0; end < 2; end++) {
-        const int marker = links[index].at[end].marker;
+        const int marker = @Tlinks[index].at[end].marker;
         if (marker >= 0) {
             placed_marker placed;
             real twist[6];

@@ -36,7 +36,7 @@ static int evaluate(const mechanism_inputs *inputs, real time, const stage_terms
     int status;
     fill(6 * NODES, (real)0, work->shift);
     prepare_all(work);
-    load(inputs, work);
+    load(inputs, time, work);
     status = evaluate_links(time, terms->gamma_h, work);
     if (status == DONE) {
         status = factor(terms, work);
@@ -185,8 +185,13 @@ static void apply_correction(int is_velocity, workspace *work)
     }
 }
 
-/* Projects positions, then velocities, of the state of the workspace on the joints. Gives a status. */
-static int project(real time, real gamma_h, workspace *work)
+/*
+ * Projects positions, then velocities, of the state of the workspace on the joints, by so many corrections of each. Modes and
+ * soft links resist as in a stage with their gamma h. Gives a status.
+ */
+static int project(
+    real time, real gamma_h, real soft_gamma_h, int corrections, real tolerance, workspace *work
+)
 {
     stage_terms terms;
     real left[2];
@@ -203,7 +208,7 @@ static int project(real time, real gamma_h, workspace *work)
     terms.increment = NULL;
     fill(6 * NODES, (real)0, work->shift);
     prepare_all(work);
-    status = evaluate_links(time, gamma_h, work);
+    status = evaluate_links(time, soft_gamma_h, work);
     if (status != DONE) {
         return status;
     }
@@ -211,7 +216,7 @@ static int project(real time, real gamma_h, workspace *work)
     smallest_residuals(work, enough);
     for (level = 0; level < 2; level++) {
         const real least = larger(enough[level], ENOUGH_PROJECTED * left[level]);
-        for (pass = 0; pass < CORRECTIONS; pass++) {
+        for (pass = 0; pass < corrections; pass++) {
             if (left[level] <= least) {
                 break;
             }
@@ -224,14 +229,14 @@ static int project(real time, real gamma_h, workspace *work)
             }
             correct(level, work);
             apply_correction(level, work);
-            status = evaluate_links(time, gamma_h, work);
+            status = evaluate_links(time, soft_gamma_h, work);
             if (status != DONE) {
                 return status;
             }
             residuals(work, left);
         }
     }
-    return left[0] <= TOLERANCE ? DONE : JOINTS_NOT_MET;
+    return left[0] <= tolerance ? DONE : JOINTS_NOT_MET;
 }
 
 static int state_is_finite(const mechanism_state *state)
@@ -269,7 +274,7 @@ static int finish(mechanism_state *state, const real *slope, real h, real gamma_
     if (!state_is_finite(&work->state)) {
         return NOT_FINITE;
     }
-    status = project(state->time + h, gamma_h, work);
+    status = project(state->time + h, gamma_h, gamma_h, CORRECTIONS, TOLERANCE, work);
     if (status != DONE) {
         return status;
     }

@@ -14,40 +14,6 @@ typedef struct {
     int node;
 } coupling_place;
 
-/* One end of a joint on a body; -1 on the ground. */
-typedef struct {
-    int end;
-    int block;
-    int transposed;
-} end_place;
-
-/* A triad at a marker, or on the ground where the marker is -1. */
-typedef struct {
-    int marker;
-    real position[3];
-    real orientation[4];
-} attachment;
-
-/* A joint, a drive or a soft link between two triads: where its multipliers stand. */
-typedef struct {
-    int rows;
-    int node;
-    int diagonal;
-    end_place ends[2];
-    attachment at[2];
-    int relations;
-    int relation_count;
-    int drive;
-    int drive_count;
-} link_place;
-
-/* One relation between two triads, with what it depends on. */
-typedef struct {
-    int kind;
-    int held;
-    real length;
-} relation;
-
 //@ if SHARED
 /* The ends of two links on one flexible body. */
 typedef struct {
@@ -83,31 +49,6 @@ typedef struct {
 } flexible_body;
 
 //@ end
-//@ if ELEMENTS
-/*
- * A force element. A constant force and moment stand in the place of the stiffness, and its option is whether it turns with the
- * body; of friction, the stiffness is its limit, `rest` its speed, and the option where it acts.
- */
-typedef struct {
-    int kind;
-    attachment at[2];
-    real stiffness[6];
-    real damping[6];
-    real rest;
-    int option;
-} element;
-
-//@ end
-//@ if ACTUATORS
-/* A force or moment that follows an input. */
-typedef struct {
-    int effort;
-    attachment at[2];
-    real gain;
-    real limit;
-} actuator;
-
-//@ end
 //@ if SENSORS
 /* What is measured, and where it stands among the outputs. */
 typedef struct {
@@ -131,6 +72,10 @@ typedef struct {
 typedef struct {
     real translation[3 * MODES];
     real rotation[3 * MODES];
+//@ if STRESSED
+    /* unit loads along and about the axes: what the modes do less per modal coordinate, matrix by matrix; or none */
+    const real *stressed;
+//@ end
 } marker_shape;
 
 //@ end
@@ -193,6 +138,9 @@ typedef struct {
 //@ end
 /* All numbers of one evaluation. */
 typedef struct {
+//@ if PARAMETERS
+    const @P_tables *tables;
+//@ end
     mechanism_state state;
     body_work bodies[BODIES];
 //@ if FLEXIBLE

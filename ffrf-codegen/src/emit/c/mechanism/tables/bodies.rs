@@ -51,6 +51,7 @@ pub(super) fn bodies(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
         text.push_str(&format!("static const int flexible_of[BODIES] = {};\n\n", braced(&which)));
     }
     let (mut markers, mut shapes) = (vec![], vec![]);
+    let any_stressed = model.markers.iter().any(|marker| marker.load_stiffness.is_some());
     for marker in &model.markers {
         let modes = model.bodies.get(marker.body).map_or(0, |body| body.kind.mode_count());
         let shape = if modes > 0 { shapes.len().to_string() } else { "-1".to_owned() };
@@ -64,7 +65,16 @@ pub(super) fn bodies(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
                 });
                 numbers.list(&filled.collect::<Vec<f64>>())
             };
-            shapes.push(format!("{{{}, {}}}", rows(&marker.translation), rows(&marker.rotation)));
+            let mut shape = vec![rows(&marker.translation), rows(&marker.rotation)];
+            if let Some(load) = &marker.load_stiffness {
+                let (name, entries) = (format!("stressed_{}", shapes.len()), load.concat());
+                let (count, list) = (entries.len(), numbers.list(&entries));
+                let _ = writeln!(text, "static const real {name}[{count}] = {list};\n");
+                shape.push(name);
+            } else if any_stressed {
+                shape.push("NULL".to_owned());
+            }
+            shapes.push(format!("{{{}}}", shape.join(", ")));
         }
     }
     if markers.is_empty() {

@@ -18,6 +18,7 @@ pub(in super::super) fn constants(subject: &MechanismSubject<'_>, numbers: &Numb
         kind = subject.type_name(),
         root = square_root_name(subject.options.scalar),
     );
+    let has_parameters = model.composition.is_some();
     let statuses = ["DONE", "NO_MASS", "JOINTS_NOT_MET", "NOT_FINITE", "TOO_FAR"];
     for status in statuses {
         let _ = writeln!(text, "#define {status} {}_{status}", prefix.to_uppercase());
@@ -44,8 +45,18 @@ pub(in super::super) fn constants(subject: &MechanismSubject<'_>, numbers: &Numb
         ("REFINEMENTS", if subject.has_loops { refinements[0] } else { 0 }),
         ("REFINEMENTS_OF_CORRECTIONS", if subject.has_loops { refinements[1] } else { 0 }),
     ];
+    let composed = model.composition.iter().flat_map(|composition| {
+        let relations = model.joints.iter().map(|joint| joint.relations.len()).sum();
+        [
+            ("PARAMETERS", composition.parameters.len()),
+            ("RELATIONS", relations),
+            ("ASSEMBLING_PASSES", 20),
+            ("CORRECTIONS_OF_A_PASS", 2),
+            ("CORRECTIONS_OF_LAST_PASS", 8),
+        ]
+    });
     text.push_str("\n/* Sizes. */\nenum {\n");
-    for (name, size) in sizes {
+    for (name, size) in sizes.into_iter().chain(composed) {
         let _ = writeln!(text, "    {name} = {size},");
     }
     text.truncate(text.len() - 2);
@@ -57,6 +68,18 @@ pub(in super::super) fn constants(subject: &MechanismSubject<'_>, numbers: &Numb
         "POSITION, VELOCITY, ACCELERATION, ORIENTATION, TURN, REACTION_FORCE, REACTION_MOMENT",
     ] {
         let _ = writeln!(text, "enum {{ {kinds} }};");
+    }
+    if has_parameters {
+        text.push_str(
+            "\n/* Where parameters go, and what joints and forces take from the initial state. */\n",
+        );
+        for kinds in [
+            "TO_NOTHING, TO_GRAVITY, TO_POSITION, TO_ORIENTATION, TO_VELOCITY, TO_ANGULAR_VELOCITY, TO_COORDINATE, TO_RATE,\n    \
+             TO_STIFFNESS, TO_DAMPING, TO_REST_LENGTH, TO_REST_ANGLE, TO_SPEED, TO_WRENCH, TO_GAIN, TO_LIMIT",
+            "RULE_NOTHING, RULE_TURNING, RULE_HELD, RULE_AXIS, RULE_LENGTH, RULE_AS",
+        ] {
+            let _ = writeln!(text, "enum {{ {kinds} }};");
+        }
     }
     let round_off = if single { f64::from(f32::EPSILON) } else { f64::EPSILON };
     let share = if single { 1e-3 } else { 1e-9 };
@@ -81,8 +104,13 @@ pub(in super::super) fn constants(subject: &MechanismSubject<'_>, numbers: &Numb
         ("QUARTER_LOW", quarter[2], "a quarter turn in three parts"),
         ("LARGEST_ANGLE", largest, "of a driven joint, rad"),
     ];
+    let composed = [
+        ("ASSEMBLED", if single { 1e-4 } else { 1e-8 }, "of joints at the beginning, m or rad"),
+        ("LARGEST", if single { f64::from(f32::MAX) } else { f64::MAX }, "of all numbers"),
+    ];
     text.push('\n');
-    for (name, value, what) in constants {
+    let composed = composed.into_iter().filter(|_| has_parameters);
+    for (name, value, what) in constants.into_iter().chain(composed) {
         let _ = writeln!(text, "#define {name} {} /* {what} */", numbers.one(value));
     }
     text.push('\n');

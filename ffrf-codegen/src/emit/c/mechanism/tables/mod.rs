@@ -2,6 +2,7 @@
 
 mod bodies;
 mod compliance;
+mod composition;
 mod constants;
 mod forces;
 mod numbers;
@@ -20,5 +21,6 @@ pub(super) fn tables(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
     text.push_str(&forces::forces(subject, numbers));
     text.push_str(&forces::sensors(subject, numbers));
     text.push_str(&bodies::beginning(subject, numbers));
+    text.push_str(&composition::composition(subject, numbers));
     text
 }
