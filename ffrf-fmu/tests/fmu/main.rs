@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 mod c_sources;
+mod in_c;
 mod inputs;
 mod library;
 mod refusals;
