@@ -149,7 +149,7 @@ fn an_fmu_of_c_sources_holds_them_and_is_the_same_every_time() {
         assert_eq!(bytes, export(version));
         let archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
         let names: Vec<String> = archive.file_names().map(|name| name.unwrap().into_owned()).collect();
-        let sources = ["sources/slider_crank.c", "sources/fmu.c", "sources/slider_crank.h"];
+        let sources = ["sources/part_slider_crank.c", "sources/fmu.c", "sources/part_slider_crank.h"];
         assert_eq!(names, [&["modelDescription.xml"], &sources[..], description].concat());
     }
 }

@@ -1,9 +1,9 @@
 //! The sources of an FMU in C: the step of its scene as the generator prints it, and the functions of the standard about it.
 //!
 //! ```text
-//! IDENTIFIER.h, IDENTIFIER.c    the step: bodies, joints, forces, sensors (ffrf-codegen)
-//! fmu.c                         tables of the variables, and the parts of `wrapper/` for one version of the standard
-//! buildDescription.xml          FMI 3.0: what a compiler is given
+//! part_NAME.h, part_NAME.c     the step: bodies, joints, forces, sensors (ffrf-codegen)
+//! fmu.c                        tables of the variables, and the parts of `wrapper/` for one version of the standard
+//! buildDescription.xml         FMI 3.0: what a compiler is given
 //! ```
 
 mod build_description;
@@ -61,24 +61,22 @@ impl Model {
         let composition = composition::composition(&self.file, &scene, &self.variables);
         let mechanism =
             MechanismModel { composition: Some(composition?), ..scene.mechanism_model(&self.source_name)? };
-        let options = GenerateOptions { name: name_in_c(identifier), ..GenerateOptions::default() };
+        // no header of a system is called like this, and no identifier of C is reserved that begins so
+        let name = format!("part_{}", identifier.trim_start_matches('_'));
+        let options = GenerateOptions { name, ..GenerateOptions::default() };
         let step = generate_mechanism_c(&mechanism, &options)?;
         let upper = step.prefix.to_uppercase();
         let [types, functions, absent] = match fmi {
             Fmi::Two => FMI2,
             Fmi::Three => FMI3,
         };
-        let parts: Vec<&str> = [BEFORE, types].into_iter().chain(BEHIND).chain([functions, absent]).collect();
-        let filled: Vec<String> =
-            parts.iter().map(|part| part.replace("@P", &step.prefix).replace("@M", &upper)).collect();
+        let fill = |part: &str| part.replace("@P", &step.prefix).replace("@M", &upper);
+        let parts = [types].into_iter().chain(BEHIND).chain([functions, absent]);
+        let (head, parts) = (fill(BEFORE), parts.map(fill).collect::<Vec<String>>().join("\n"));
         let tables = tables::tables(self, &mechanism);
-        let token = fingerprint(
-            [step.header.as_bytes(), step.source.as_bytes(), tables.as_bytes()]
-                .into_iter()
-                .chain(filled.iter().map(String::as_bytes)),
-        );
-        let defined = format!("#define TOKEN \"{token}\"\n\n{tables}");
-        let fmu = [&[filled[0].clone(), defined], &filled[1..]].concat().join("\n");
+        let texts = [&step.header, &step.source, &head, &tables, &parts];
+        let token = fingerprint(texts.map(|text| text.as_bytes()));
+        let fmu = format!("{head}\n#define TOKEN \"{token}\"\n\n{tables}\n{parts}");
         let (header, source) = (format!("{}.h", step.prefix), format!("{}.c", step.prefix));
         let mut files = vec![(source, step.source), ("fmu.c".to_owned(), fmu), (header, step.header)];
         let compiled = 2;
@@ -90,29 +88,5 @@ impl Model {
             ));
         }
         Ok(Sources { files, compiled, token })
-    }
-}
-
-/// What names of the step begin with: an identifier of C that the standard of C leaves to users, and none of the wrapper's.
-fn name_in_c(identifier: &str) -> String {
-    let name = identifier.trim_start_matches('_');
-    let is_name = name.chars().next().is_some_and(|first| first.is_ascii_alphabetic());
-    if is_name && !name.eq_ignore_ascii_case("fmu") { name.to_owned() } else { format!("scene_{name}") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::name_in_c;
-
-    #[test]
-    fn names_of_the_step_are_those_of_users() {
-        for (identifier, name) in [
-            ("slider_crank", "slider_crank"),
-            ("_4_bar", "scene_4_bar"),
-            ("_", "scene_"),
-            ("fmu", "scene_fmu"),
-        ] {
-            assert_eq!(name_in_c(identifier), name);
-        }
     }
 }
