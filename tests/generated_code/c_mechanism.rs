@@ -15,6 +15,7 @@ use ffrf_host::scene::file::SceneFile;
 use ffrf_host::scene::{Integrator, Scene};
 use ffrf_host::simulate::CoSimulation;
 use ffrf_host::{HostMechanism, HostModal};
+use ffrf_test_kit::scene_text::with_step;
 
 use crate::c_program::{last_places, printed};
 use crate::committed::Committed;
@@ -40,17 +41,6 @@ fn folder() -> PathBuf {
 
 fn compose(text: &str) -> Scene {
     Scene::compose(&SceneFile::parse(text).unwrap(), &folder()).unwrap()
-}
-
-/// A scene with another step and integrator.
-fn with_step(path: &Path, integrator: &str, step: f64) -> String {
-    let text = std::fs::read_to_string(path).unwrap();
-    let lines = text.lines().filter(|line| {
-        !["step", "integrator", "tolerance"].iter().any(|key| line.starts_with(&format!("{key} =")))
-    });
-    let text: String = lines.map(|line| format!("{line}\n")).collect();
-    let head = format!("[simulation]\nstep = {step:?}\nintegrator = \"{integrator}\"\n");
-    text.replacen("[simulation]\n", &head, 1)
 }
 
 fn example(name: &str, integrator: &str, step: f64) -> String {

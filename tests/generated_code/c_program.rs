@@ -6,22 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 use ffrf_codegen::GeneratedC;
-
-/// Every warning that users' projects are likely to ask for is an error here.
-const FLAGS: [&str; 9] = [
-    "-std=c99",
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Wconversion",
-    "-Wshadow",
-    "-Werror",
-    "-O2",
-    "-ffp-contract=off",
-];
-
-/// The compilers that are tried; each that is there must accept the code, the first runs it.
-const COMPILERS: [&str; 2] = ["gcc", "clang"];
+use ffrf_test_kit::c_compilers::{COMPILERS, FLAGS};
 
 /// The compiler of a microcontroller and its core: if it is there, it must accept the code as well. What it makes runs
 /// elsewhere.

@@ -6,8 +6,9 @@ use std::path::Path;
 
 use ffrf_fmu::description::Fmi;
 use ffrf_fmu::{Instance, Role};
+use ffrf_test_kit::scene_text::with_step;
 
-use crate::in_c::{InC, compiled, compiled_with, with_step};
+use crate::in_c::{InC, compiled, compiled_with};
 use crate::library::{MESSAGES, function, instantiate};
 use crate::scenes::{ROTOR, Unpacked, known};
 

@@ -2,41 +2,13 @@
 #![allow(unsafe_code)] // the other side of the border
 
 use std::ffi::{c_int, c_void};
-use std::path::Path;
 use std::process::Command;
 
 use ffrf_fmu::description::Fmi;
+use ffrf_test_kit::c_compilers::{COMPILERS, FLAGS};
 
 use crate::library::{Library, MESSAGES, function, instantiate};
 use crate::scenes::Unpacked;
-
-/// Every warning that users' projects are likely to ask for is an error here.
-const FLAGS: [&str; 11] = [
-    "-std=c99",
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Wconversion",
-    "-Wshadow",
-    "-Werror",
-    "-O2",
-    "-ffp-contract=off",
-    "-fPIC",
-    "-shared",
-];
-
-pub const COMPILERS: [&str; 2] = ["gcc", "clang"];
-
-/// A scene with another step and integrator.
-pub fn with_step(path: &Path, integrator: &str, step: f64) -> String {
-    let text = std::fs::read_to_string(path).unwrap();
-    let lines = text.lines().filter(|line| {
-        !["step", "integrator", "tolerance"].iter().any(|key| line.starts_with(&format!("{key} =")))
-    });
-    let text: String = lines.map(|line| format!("{line}\n")).collect();
-    let head = format!("[simulation]\nstep = {step:?}\nintegrator = \"{integrator}\"\n");
-    text.replacen("[simulation]\n", &head, 1)
-}
 
 /// An instance in C, FMI 3.0.
 pub struct InC {
@@ -68,6 +40,7 @@ pub fn compiled_with(scene: &Unpacked, fmi: Fmi, options: &[&str]) -> Vec<(&'sta
         let binary = format!("{compiler}.so");
         let run = Command::new(compiler)
             .args(FLAGS)
+            .args(["-fPIC", "-shared"])
             .args(options)
             .args(&names)
             .args(["-lm", "-o", &binary])

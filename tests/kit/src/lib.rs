@@ -1,12 +1,14 @@
-//! What the tests and benchmarks of several packages share: bodies, witnesses, helpers of proofs, tolerances.
+//! What the tests and benchmarks of several packages share: bodies, witnesses, helpers of proofs, tolerances, compilers.
 //!
 //! No package depends on it but for development. Integration tests of a package that this one depends on share its
 //! types; unit tests inside such a package do not, since they are compiled apart.
 #![forbid(unsafe_code)]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // helpers of tests are tests
 
+pub mod c_compilers;
 pub mod random;
 pub mod random_body;
+pub mod scene_text;
 pub mod tolerances;
 
 #[cfg(feature = "runtime")]
