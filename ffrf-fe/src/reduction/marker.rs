@@ -36,15 +36,7 @@ pub(crate) fn make_marker(
     if let Some(&row) = rows.iter().find(|&&row| is_loose(model, shapes, row)) {
         return Err(ReductionError::MarkerLoose { marker: request.name.clone(), node: model.nodes.ids[row] });
     }
-    let fit = match rows[..] {
-        [row] => fit_around(model, row),
-        _ => RotationFit::new(model, &rows),
-    };
-    let fit = fit.map_err(|(nodes, spread)| ReductionError::MarkerRotation {
-        marker: request.name.clone(),
-        nodes,
-        spread,
-    })?;
+    let fit = fit_of(model, &rows, &request.name)?;
     Ok(Marker {
         name: request.name.clone(),
         nodes: rows.iter().map(|&row| model.nodes.ids[row]).collect(),
@@ -68,6 +60,15 @@ pub fn marker_motion(
     make_marker(model, &basis.shapes, request)
 }
 
+/// How the nodes of a marker turn; a single one turns with those around it.
+fn fit_of(model: &FeModel, rows: &[usize], marker: &str) -> Result<RotationFit, ReductionError> {
+    let fit = match rows {
+        [row] => fit_around(model, *row),
+        _ => RotationFit::new(model, rows),
+    };
+    fit.map_err(|(nodes, spread)| ReductionError::MarkerRotation { marker: marker.to_owned(), nodes, spread })
+}
+
 /// Nodal forces of unit forces along x, y, z at a marker and unit moments about them. Shape: 3N x 6.
 ///
 /// The transpose of the map from displacements to the motion of the marker: a virtual displacement of the nodes does the work that
@@ -84,15 +85,7 @@ pub(crate) fn unit_loads_at(model: &FeModel, marker: &Marker) -> Result<Mat<f64>
     if rows.is_empty() {
         return Err(ReductionError::EmptyMarker { marker: marker.name.clone() });
     }
-    let fit = match rows[..] {
-        [row] => fit_around(model, row),
-        _ => RotationFit::new(model, &rows),
-    };
-    let fit = fit.map_err(|(nodes, spread)| ReductionError::MarkerRotation {
-        marker: marker.name.clone(),
-        nodes,
-        spread,
-    })?;
+    let fit = fit_of(model, &rows, &marker.name)?;
     let centre = mean(&rows, |row| model.nodes.positions[row]);
     let offset: Vector3 = [0, 1, 2].map(|k| marker.position[k] - centre[k]);
     let mut loads = Mat::zeros(3 * count, 6);

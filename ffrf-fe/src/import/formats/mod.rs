@@ -1,6 +1,7 @@
 //! One reader per file format. Matrix files are told apart by [`matrix_file`], node files by what the user names.
 
 pub(crate) mod ansys;
+mod body;
 pub(crate) mod calculix;
 pub(crate) mod deck;
 mod dense_matrix;

@@ -6,12 +6,12 @@
 use std::path::Path;
 
 use ffrf_model::{
-    Inertia, Marker, Matrix3, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, UNKNOWN_UNITS, Units,
-    Vector3, is_valid_marker_name,
+    Inertia, Marker, Matrix3, Mode, ModeKind, ReducedBody, Units, Vector3, is_valid_marker_name,
 };
 
 use super::records::Records;
 use crate::export::mbdyn::uncrossed;
+use crate::import::formats::body::{Parts, body};
 use crate::import::text::source::Source;
 use crate::import::{INFLATED_LIMIT, ImportError};
 
@@ -86,10 +86,7 @@ pub fn read_mbdyn(path: &Path, units: Option<Units>) -> Result<ReducedBody, Impo
         Ok(Marker { name, nodes, position: positions[node], translation, rotation, coupling: None })
     });
     let markers = markers.collect::<Result<_, _>>()?;
-    let body = ReducedBody {
-        schema_version: SCHEMA_VERSION,
-        title: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
-        units: units.map_or_else(|| UNKNOWN_UNITS.to_owned(), |units| units.to_string()),
+    let parts = Parts {
         modes: vec![Mode { kind: ModeKind::User, frequency_hz: None }; modes],
         inertia,
         stiffness,
@@ -97,19 +94,9 @@ pub fn read_mbdyn(path: &Path, units: Option<Units>) -> Result<ReducedBody, Impo
         geometric_stiffness: None,
         second_order_terms: Default::default(),
         markers,
-        stress_markers: Vec::new(),
-        section_markers: Vec::new(),
-        provenance: Provenance {
-            tool: "ffrf".to_owned(),
-            tool_version: env!("CARGO_PKG_VERSION").to_owned(),
-            sources: vec![source.finish("MBDyn modal data")],
-            notes,
-        },
+        notes,
     };
-    match body.check().and_then(|checks| checks.verdict()) {
-        Ok(()) => Ok(body),
-        Err(fault) => Err(ImportError::Body { path: path.to_path_buf(), fault: Box::new(fault) }),
-    }
+    body(path, units, source.finish("MBDyn modal data"), parts)
 }
 
 /// Mass, first and second moment of record group 12.

@@ -3,14 +3,14 @@
 use std::path::Path;
 
 use ffrf_model::{
-    Marker, Mode, ModeKind, Provenance, ReducedBody, SCHEMA_VERSION, SecondOrderTerms, UNKNOWN_UNITS, Units,
-    Vector3, is_valid_marker_name,
+    Marker, Mode, ModeKind, ReducedBody, SecondOrderTerms, Units, Vector3, is_valid_marker_name,
 };
 
 use super::integrals::{Integrals, Matrices};
 use super::taylor::{ModeIndex, Taylor, mode_index};
 use super::text::{File, Node};
 use crate::export::sid::IN_J;
+use crate::import::formats::body::{Parts, body};
 use crate::import::text::source::Source;
 use crate::import::{INFLATED_LIMIT, ImportError};
 
@@ -67,10 +67,7 @@ pub fn read_sid(path: &Path, units: Option<Units>) -> Result<ReducedBody, Import
     }
     let markers = file.nodes.iter().enumerate().map(|(k, node)| reader.marker(k, node, &mut notes));
     let markers = markers.collect::<Result<_, _>>()?;
-    let body = ReducedBody {
-        schema_version: SCHEMA_VERSION,
-        title: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
-        units: units.map_or_else(|| UNKNOWN_UNITS.to_owned(), |units| units.to_string()),
+    let parts = Parts {
         modes: file
             .modes
             .iter()
@@ -82,19 +79,9 @@ pub fn read_sid(path: &Path, units: Option<Units>) -> Result<ReducedBody, Import
         geometric_stiffness,
         second_order_terms,
         markers,
-        stress_markers: Vec::new(),
-        section_markers: Vec::new(),
-        provenance: Provenance {
-            tool: "ffrf".to_owned(),
-            tool_version: env!("CARGO_PKG_VERSION").to_owned(),
-            sources: vec![source.finish("standard input data")],
-            notes,
-        },
+        notes,
     };
-    match body.check().and_then(|checks| checks.verdict()) {
-        Ok(()) => Ok(body),
-        Err(fault) => Err(ImportError::Body { path: path.to_path_buf(), fault: Box::new(fault) }),
-    }
+    body(path, units, source.finish("standard input data"), parts)
 }
 
 /// The frequency in `Eigen Mode 7 : 51.626 Hz`.
