@@ -15,6 +15,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use ffrf_codegen::ScalarType;
+use serde::{Deserialize, Serialize};
 
 use crate::arguments::{Budget, Core, TargetScalar};
 use crate::output;
@@ -92,15 +93,28 @@ impl Workshop {
     }
 }
 
-/// What a step of a mechanism takes on a core: the most instructions of 32 steps, counted, its bytes of code and tables, of
-/// model and state, and of stack (painted, and the bound).
-pub(crate) struct StepOnTarget {
-    pub(crate) instructions: u64,
-    pub(crate) code: u64,
-    pub(crate) tables: u64,
-    pub(crate) state: u64,
-    pub(crate) stack: u64,
-    pub(crate) stack_bound: Option<u64>,
+/// What a step of a mechanism takes of a core.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct StepOnTarget {
+    /// The most instructions of 32 steps.
+    pub instructions: u64,
+    /// Machine code, more than the same program without the step has. Units: bytes.
+    pub code: u64,
+    /// Constants in tables, likewise. Units: bytes.
+    pub tables: u64,
+    /// Model and state, where they are kept. Units: bytes.
+    pub state: u64,
+    /// Stack that a step touches. Units: bytes.
+    pub stack: u64,
+    /// The most that the machine code can take; none where that is not known. Units: bytes.
+    pub stack_bound: Option<u64>,
+}
+
+impl StepOnTarget {
+    /// What is kept between steps: constants in tables, model and state. Units: bytes.
+    pub fn data(&self) -> u64 {
+        self.tables + self.state
+    }
 }
 
 /// Writes, builds and runs the program of a mechanism. Errors: the scene has no counterpart in the macro, the tools for the

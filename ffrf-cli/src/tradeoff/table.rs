@@ -5,7 +5,8 @@ use std::fmt::Write as _;
 use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 
 use super::row::Row;
-use super::target_counts::{TargetCost, TargetCounts, lines};
+use super::target_counts::{TargetCounts, lines};
+use crate::budget::StepOnTarget;
 use crate::trade_text::describe_reference;
 
 /// A table for people, the cheapest first; what failed stands at its end.
@@ -139,7 +140,7 @@ pub fn csv(reference: &Reference, rows: &[Row<'_>], counts: &TargetCounts) -> St
                 for core in &cores {
                     match counts.cost(core, one) {
                         Some(cost) => {
-                            let TargetCost { instructions, code, stack, stack_bound, .. } = cost;
+                            let StepOnTarget { instructions, code, stack, stack_bound, .. } = cost;
                             let bound = stack_bound.map_or(String::new(), |bound| bound.to_string());
                             let data = cost.data();
                             let _ = write!(text, ",{instructions},{code},{data},{stack},{bound}");

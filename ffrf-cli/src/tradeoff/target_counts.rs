@@ -8,7 +8,7 @@ use ffrf_host::tradeoff::{Configuration, Outcome, Study};
 use serde::{Deserialize, Serialize};
 
 use crate::arguments::Core;
-use crate::budget::{Workshop, configuration_on_target, of_fixed_cost};
+use crate::budget::{StepOnTarget, Workshop, configuration_on_target, of_fixed_cost};
 use crate::report::chain;
 
 /// What was counted, by core and program; see [`Configuration::program`].
@@ -20,33 +20,9 @@ pub struct TargetCounts(BTreeMap<String, BTreeMap<String, TargetCount>>);
 #[serde(rename_all = "snake_case")]
 pub enum TargetCount {
     /// It ran.
-    Counted(TargetCost),
+    Counted(StepOnTarget),
     /// It could not be built or run, and why.
     Failed(String),
-}
-
-/// What a step of a program takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct TargetCost {
-    /// The most instructions of 32 steps.
-    pub instructions: u64,
-    /// Machine code, more than the same program without the step has. Units: bytes.
-    pub code: u64,
-    /// Constants in tables, likewise. Units: bytes.
-    pub tables: u64,
-    /// Model and state, where they are kept. Units: bytes.
-    pub state: u64,
-    /// Stack that a step touches. Units: bytes.
-    pub stack: u64,
-    /// The most that the machine code can take; none where that is not known. Units: bytes.
-    pub stack_bound: Option<u64>,
-}
-
-impl TargetCost {
-    /// What is kept between steps: constants in tables, model and state. Units: bytes.
-    pub fn data(&self) -> u64 {
-        self.tables + self.state
-    }
 }
 
 impl TargetCounts {
@@ -61,7 +37,7 @@ impl TargetCounts {
     }
 
     /// The same where it was counted.
-    pub fn cost(&self, core: &str, one: &Configuration) -> Option<&TargetCost> {
+    pub fn cost(&self, core: &str, one: &Configuration) -> Option<&StepOnTarget> {
         match self.of(core, one)? {
             TargetCount::Counted(cost) => Some(cost),
             TargetCount::Failed(_) => None,
@@ -90,12 +66,12 @@ pub fn lines<'a>(core: &str, counts: &TargetCounts, outcomes: impl Iterator<Item
         let (fidelity, scalar, integrator) = (one.fidelity.to_string(), one.scalar, one.integrator);
         format!("{:>5} {fidelity:<14} {:<6} {:<24}", one.modes, scalar.name(), integrator.name())
     };
-    let mut counted: Vec<(&Configuration, &TargetCost)> =
+    let mut counted: Vec<(&Configuration, &StepOnTarget)> =
         programs.iter().filter_map(|one| Some((*one, counts.cost(core, one)?))).collect();
     counted.sort_by_key(|(_, cost)| cost.instructions);
     for (one, cost) in counted {
         let bound = cost.stack_bound.map_or("unknown".to_owned(), |bound| bound.to_string());
-        let (data, TargetCost { instructions, code, stack, .. }) = (cost.data(), cost);
+        let (data, StepOnTarget { instructions, code, stack, .. }) = (cost.data(), cost);
         let _ = writeln!(text, "{} {instructions:>12} {code:>8} {data:>8} {stack:>8} {bound:>8}", name(one));
     }
     for one in programs {
@@ -151,14 +127,7 @@ pub fn count(
             continue;
         }
         let count = match configuration_on_target(study, one, core, workshop) {
-            Ok(step) => TargetCount::Counted(TargetCost {
-                instructions: step.instructions,
-                code: step.code,
-                tables: step.tables,
-                state: step.state,
-                stack: step.stack,
-                stack_bound: step.stack_bound,
-            }),
+            Ok(step) => TargetCount::Counted(step),
             Err(error) if !is_proven => return Err(error).with_context(|| core.name().to_owned()),
             Err(error) => TargetCount::Failed(chain(&error)),
         };
