@@ -92,7 +92,7 @@ function start(gltf) {
         lines.frustumCulled = false;
         mesh.add(lines);
         spokes.push({ lines, mesh, held, hub: group });
-        markers.push({ object: lines, spokes: true });
+        markers.push({ object: lines });
       }
     }
     mesh.frustumCulled = false;

@@ -36,6 +36,13 @@ pub struct MechanismModel {
     pub composition: Option<CompositionModel>,
 }
 
+impl MechanismModel {
+    /// Whether loads stress the body at some marker, so that the rows of the marker follow the deformation.
+    pub fn has_loaded_markers(&self) -> bool {
+        self.markers.iter().any(|marker| marker.load_stiffness.is_some())
+    }
+}
+
 /// A method of fixed cost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StepMethod {

@@ -67,13 +67,10 @@ pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style
         &[("translation", 3), ("rotation", 3)],
         constants.map(|(marker, name)| (format!("Marker `{}`.", plain(&marker.name)), name)),
     );
-    for (number, _) in loads(model, &subject.options.fidelity) {
-        let Some((marker, name)) = model.markers.get(usize::from(number)).zip(names.get(usize::from(number)))
-        else {
-            continue;
-        };
+    for (number, load) in loads(model, &subject.options.fidelity) {
+        let Some(name) = names.get(usize::from(number)) else { continue };
         text.documentation([
-            format!("Loads at `{}` stress the body: its rows in a deformation are", plain(&marker.name)),
+            format!("Loads at `{}` stress the body: its rows in a deformation are", plain(&load.marker)),
             "translation[k][m] - sum over n of STRESSED[k][m][n] q[n], and of the rotation with STRESSED[3 + k]; its place"
                 .to_owned(),
             "is the mean of what these and the rows of the undeformed body give.".to_owned(),

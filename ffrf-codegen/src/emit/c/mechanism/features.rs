@@ -69,7 +69,7 @@ pub(super) fn of(subject: &MechanismSubject<'_>) -> BTreeSet<&'static str> {
             ("NOT_TURNING", !turning),
             ("IMPLICIT", implicit),
             ("EXPLICIT", !implicit),
-            ("STRESSED", model.markers.iter().any(|marker| marker.load_stiffness.is_some())),
+            ("STRESSED", model.has_loaded_markers()),
             ("RK4", model.method == StepMethod::Rk4),
             ("LINEARLY_IMPLICIT", model.method == StepMethod::LinearlyImplicit),
             (

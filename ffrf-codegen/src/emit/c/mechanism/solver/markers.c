@@ -66,29 +66,31 @@ static void place_marker(int marker, const workspace *work, placed_marker *place
     placed->share = (real)1;
     if (place->shape >= 0) {
         const real *q = work->state.bodies[place->body].q;
-        real vector[3];
+        real moved[3];
+        real turned_by[3];
         placed->shape = &shapes[place->shape];
         placed->modes = flexible_bodies[flexible_of[place->body]].modes;
-        combine(placed->modes, placed->shape->translation, q, vector);
-        add_scaled(3, (real)1, vector, placed->arm);
-        combine(placed->modes, placed->shape->rotation, q, vector);
-        add_scaled(3, (real)0.5, vector, placed->half);
+        combine(placed->modes, placed->shape->translation, q, moved);
+        combine(placed->modes, placed->shape->rotation, q, turned_by);
 //@ if STRESSED
         if (placed->shape->stressed != NULL) {
             /* The place is the integral of the rows along q: the mean of both. */
-            real straight[3];
+            real vector[3];
+            int k;
             bend(placed->shape, placed->modes, q, &placed->bent);
-            combine(placed->modes, placed->shape->translation, q, straight);
             combine(placed->modes, placed->bent.translation, q, vector);
-            add_scaled(3, (real)-0.5, straight, placed->arm);
-            add_scaled(3, (real)0.5, vector, placed->arm);
-            combine(placed->modes, placed->shape->rotation, q, straight);
+            for (k = 0; k < 3; k++) {
+                moved[k] = (moved[k] + vector[k]) * (real)0.5;
+            }
             combine(placed->modes, placed->bent.rotation, q, vector);
-            add_scaled(3, (real)-0.25, straight, placed->half);
-            add_scaled(3, (real)0.25, vector, placed->half);
+            for (k = 0; k < 3; k++) {
+                turned_by[k] = (turned_by[k] + vector[k]) * (real)0.5;
+            }
             placed->shape = &placed->bent;
         }
 //@ end
+        add_scaled(3, (real)1, moved, placed->arm);
+        add_scaled(3, (real)0.5, turned_by, placed->half);
         placed->share = (real)1 / ((real)1 + dot(placed->half, placed->half));
     }
 //@ end

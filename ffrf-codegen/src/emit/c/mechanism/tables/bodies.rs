@@ -51,7 +51,6 @@ pub(super) fn bodies(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
         text.push_str(&format!("static const int flexible_of[BODIES] = {};\n\n", braced(&which)));
     }
     let (mut markers, mut shapes) = (vec![], vec![]);
-    let any_stressed = model.markers.iter().any(|marker| marker.load_stiffness.is_some());
     for marker in &model.markers {
         let modes = model.bodies.get(marker.body).map_or(0, |body| body.kind.mode_count());
         let shape = if modes > 0 { shapes.len().to_string() } else { "-1".to_owned() };
@@ -71,7 +70,7 @@ pub(super) fn bodies(subject: &MechanismSubject<'_>, numbers: &Numbers) -> Strin
                 let (count, list) = (entries.len(), numbers.list(&entries));
                 let _ = writeln!(text, "static const real {name}[{count}] = {list};\n");
                 shape.push(name);
-            } else if any_stressed {
+            } else if model.has_loaded_markers() {
                 shape.push("NULL".to_owned());
             }
             shapes.push(format!("{{{}}}", shape.join(", ")));
