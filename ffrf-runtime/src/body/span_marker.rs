@@ -239,7 +239,7 @@ mod tests {
         }
     }
 
-    impl super::super::FlexibleBody<f64> for Points {
+    impl FlexibleBody<f64> for Points {
         type Modal = Vector2<f64>;
 
         fn undeformed(&self) -> Vector2<f64> {
