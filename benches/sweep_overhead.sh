@@ -23,7 +23,9 @@ timed() {
     LC_ALL=C bash -c 'TIMEFORMAT="%R %U %S"; time "$@" > /dev/null 2> /dev/null' timed "$@" 2> "$to"
 }
 
-sweep() { timed "$1" "$ffrf" tradeoff "$scene" -o "$2" --modes "$3" --step "$4" --quantity tip; }
+sweep() {
+    timed "$1" "$ffrf" tradeoff "$scene" -o "$2" --modes "$3" --step "$4" --quantity tip --fidelity constant,linear,full
+}
 
 rm -rf "$folder/all" "$folder/reference"
 mkdir -p "$folder"

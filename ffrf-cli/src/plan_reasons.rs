@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use ffrf_host::tradeoff::{ModeUse, Plan, TermUse, Truncation};
+use ffrf_host::tradeoff::{ModeUse, Plan, SceneModes, TermUse, Truncation};
 use ffrf_model::ModeKind;
 
 /// A mode with a smaller share of the elastic energy is moved by round-off.
@@ -69,8 +69,8 @@ fn reason_of_mode(mode: &ModeUse, plan: &Plan) -> String {
         (true, true) => "it follows its load as if that were at rest",
         (true, false) => "its load is near its frequency or above: it vibrates",
     };
-    if plan.configuration.modes.has(mode.mode - 1) {
-        return format!("kept: {nature}; with fewer the error is {}", error_with_fewer(plan));
+    if plan.configuration.modes.has(&mode.body, mode.mode - 1) {
+        return format!("kept: {nature}; with fewer the error is {}", error_with_fewer(plan, &mode.body));
     }
     let correction = if is_static && is_moved { "; a static shape could stand for it" } else { "" };
     format!("dropped: {nature}{correction}; the error without it is {}", error_of(plan))
@@ -83,17 +83,21 @@ fn error_of(plan: &Plan) -> String {
     chosen.map_or("that of the model".to_owned(), |model| format!("{:.1e}", model.error))
 }
 
-/// The least error that was found with fewer modes.
-fn error_with_fewer(plan: &Plan) -> String {
-    let fewer = plan.models.iter().filter(|model| model.modes.count() < plan.configuration.modes.count());
+/// The least error that was found with fewer modes of a body.
+fn error_with_fewer(plan: &Plan, body: &str) -> String {
+    let available = plan.motion.modes.iter().filter(|mode| mode.body == body).count();
+    let count = |modes: &SceneModes| modes.of(body, available).count();
+    let fewer = plan.models.iter().filter(|model| count(&model.modes) < count(&plan.configuration.modes));
     let least = fewer.map(|model| model.error).fold(f64::INFINITY, f64::min);
     if least.is_finite() { format!("{least:.1e} or more") } else { "not allowed".to_owned() }
 }
 
 fn reason_of_term(term: &TermUse, plan: &Plan, budget: f64) -> String {
     let bound = term.largest_bound();
-    match (plan.configuration.modes.count(), term.is_kept_by(&plan.configuration.fidelity)) {
-        (0, _) => "kept as far as a rigid body has it".to_owned(),
+    let mut own = plan.motion.modes.iter().filter(|mode| mode.body == term.body);
+    let has_modes = own.any(|mode| plan.configuration.modes.has(&mode.body, mode.mode - 1));
+    match (has_modes, term.is_kept_by(&plan.configuration.fidelity)) {
+        (false, _) => "kept as far as a rigid body has it".to_owned(),
         (_, true) if bound == 0.0 => "kept: the model does not have it, it costs nothing".to_owned(),
         (_, true) if bound <= budget => {
             "kept: it costs nothing, or no cheaper model without it keeps the budget".to_owned()
@@ -114,8 +118,12 @@ fn reason_of_term(term: &TermUse, plan: &Plan, budget: f64) -> String {
 }
 
 fn describe_truncations(text: &mut String, plan: &Plan, budget: f64) {
-    let dropped: Vec<&ModeUse> =
-        plan.motion.modes.iter().filter(|mode| !plan.configuration.modes.has(mode.mode - 1)).collect();
+    let dropped: Vec<&ModeUse> = plan
+        .motion
+        .modes
+        .iter()
+        .filter(|mode| !plan.configuration.modes.has(&mode.body, mode.mode - 1))
+        .collect();
     if dropped.is_empty() || plan.truncations.is_empty() {
         return;
     }

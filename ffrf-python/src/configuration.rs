@@ -1,7 +1,9 @@
 //! One way to simulate a scene, by the names that the command uses.
 
+use std::collections::BTreeMap;
+
 use ffrf_cli::tradeoff::{parse_fidelity, parse_integrator, parse_scalar};
-use ffrf_host::tradeoff::{Axes, Configuration as Host, Modes, Study};
+use ffrf_host::tradeoff::{Axes, Configuration as Host, Modes, SceneModes, Study};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
@@ -43,14 +45,49 @@ impl From<&Modes> for ModesArgument {
     }
 }
 
+/// Modes of every flexible body, or of each by its name.
+#[derive(FromPyObject, IntoPyObject)]
+pub enum SceneModesArgument {
+    Every(ModesArgument),
+    Each(BTreeMap<String, ModesArgument>),
+}
+
+impl From<SceneModesArgument> for SceneModes {
+    fn from(given: SceneModesArgument) -> Self {
+        match given {
+            SceneModesArgument::Every(modes) => Self::Every(modes.into()),
+            SceneModesArgument::Each(each) => {
+                Self::Each(each.into_iter().map(|(body, modes)| (body, modes.into())).collect())
+            }
+        }
+    }
+}
+
+impl From<&SceneModes> for SceneModesArgument {
+    fn from(modes: &SceneModes) -> Self {
+        match modes {
+            SceneModes::Every(modes) => Self::Every(modes.into()),
+            SceneModes::Each(each) => {
+                Self::Each(each.iter().map(|(body, modes)| (body.clone(), modes.into())).collect())
+            }
+        }
+    }
+}
+
 /// What another process makes a configuration of.
-type Parts = (ModesArgument, String, String, String, f64);
+type Parts = (SceneModesArgument, String, String, String, f64);
 
 #[pymethods]
 impl Configuration {
     #[new]
     #[pyo3(signature = (modes, fidelity, scalar, integrator, step))]
-    fn new(modes: ModesArgument, fidelity: &str, scalar: &str, integrator: &str, step: f64) -> PyResult<Self> {
+    fn new(
+        modes: SceneModesArgument,
+        fidelity: &str,
+        scalar: &str,
+        integrator: &str,
+        step: f64,
+    ) -> PyResult<Self> {
         Ok(Self(Host {
             modes: modes.into(),
             fidelity: parse_fidelity(fidelity).map_err(Error::new_err)?,
@@ -61,7 +98,7 @@ impl Configuration {
     }
 
     #[getter]
-    fn modes(&self) -> ModesArgument {
+    fn modes(&self) -> SceneModesArgument {
         (&self.0.modes).into()
     }
 
@@ -110,7 +147,13 @@ impl Configuration {
 pub fn configurations(study: &Study, given: Given) -> PyResult<Vec<Configuration>> {
     let usual = Axes::usual(study);
     let axes = Axes {
-        modes: given.modes.map_or(usual.modes, |modes| modes.into_iter().map(Modes::from).collect()),
+        modes: match given.modes {
+            Some(modes) => {
+                let modes = modes.into_iter().map(|modes| study.canonical(modes.into()));
+                modes.collect::<Result<_, _>>().map_err(|error| Error::new_err(error.to_string()))?
+            }
+            None => usual.modes,
+        },
         fidelities: named(given.fidelity, usual.fidelities, parse_fidelity)?,
         scalars: named(given.scalar, usual.scalars, parse_scalar)?,
         integrators: named(given.integrator, usual.integrators, parse_integrator)?,
@@ -124,7 +167,7 @@ pub fn configurations(study: &Study, given: Given) -> PyResult<Vec<Configuration
 
 /// The axes that a user names.
 pub struct Given {
-    pub modes: Option<Vec<ModesArgument>>,
+    pub modes: Option<Vec<SceneModesArgument>>,
     pub fidelity: Option<Vec<String>>,
     pub scalar: Option<Vec<String>>,
     pub integrator: Option<Vec<String>>,

@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use ffrf_cli::tradeoff::{Asked, Measure, Question};
-use ffrf_host::tradeoff::{Modes, Quantity, TradeoffError, Variant, run};
+use ffrf_host::tradeoff::{Quantity, SceneModes, TradeoffError, Variant, run};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
 use crate::arrays::{Array, array};
-use crate::configuration::{Configuration, Given, ModesArgument, configurations, positive};
+use crate::configuration::{Configuration, Given, SceneModesArgument, configurations, positive};
 use crate::failure::{Error, exception, in_file};
 use crate::outcome::Outcome;
 
@@ -19,7 +19,7 @@ use crate::outcome::Outcome;
 pub struct Study {
     measure: Arc<Measure>,
     /// Scenes of so many modes and such terms, each composed when a run first asks for it.
-    variants: Mutex<BTreeMap<(Modes, String), Arc<Variant>>>,
+    variants: Mutex<BTreeMap<(SceneModes, String), Arc<Variant>>>,
 }
 
 /// What another process makes the study of: scene, quantities, tolerance, reference and what it was taken of, as texts.
@@ -75,6 +75,12 @@ impl Study {
     }
 
     #[getter]
+    fn flexible_bodies(&self) -> BTreeMap<String, usize> {
+        let bodies = self.measure.study.flexible_bodies();
+        bodies.into_iter().map(|(name, available)| (name.to_owned(), available)).collect()
+    }
+
+    #[getter]
     fn channels(&self) -> Vec<(String, &'static str)> {
         let channels = self.measure.reference.channels.iter();
         channels.map(|channel| (channel.name.clone(), channel.unit)).collect()
@@ -95,7 +101,7 @@ impl Study {
     #[pyo3(signature = (*, modes=None, fidelity=None, scalar=None, integrator=None, step=None))]
     fn configurations(
         &self,
-        modes: Option<Vec<ModesArgument>>,
+        modes: Option<Vec<SceneModesArgument>>,
         fidelity: Option<Vec<String>>,
         scalar: Option<Vec<String>>,
         integrator: Option<Vec<String>>,

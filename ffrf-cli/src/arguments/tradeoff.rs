@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use ffrf_codegen::{Fidelity, ScalarType};
 use ffrf_host::scene::Integrator;
-use ffrf_host::tradeoff::{Modes, Quantity};
+use ffrf_host::tradeoff::{ModeValues, Quantity};
 
 use super::Core;
 
@@ -18,9 +18,10 @@ pub struct Tradeoff {
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,
     /// Modes of every flexible body that has them: numbers of the first ones, and lists from 0 in brackets, as `0,2,[0+5]`
-    /// (default: 0, 1, 2, 4, 8, ... and all).
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    pub modes: Option<Vec<Modes>>,
+    /// (default: 0, 1, 2, 4, 8, ... and all). `BODY=LIST` is for one body; repeatable, and lists of several bodies are combined.
+    /// Bodies that are not named have what the list without a name says, or all their modes.
+    #[arg(long, value_name = "[BODY=]LIST")]
+    pub modes: Vec<ModeValues>,
     /// Fidelities (default: those of constant, linear, unstiffened, full that all bodies hold and that differ).
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_fidelity)]
     pub fidelity: Option<Vec<Fidelity>>,

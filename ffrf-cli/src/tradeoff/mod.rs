@@ -31,9 +31,10 @@ pub fn run(arguments: &Tradeoff) -> Result<()> {
         reference_tolerance: arguments.reference_tolerance,
     };
     let study = question.study()?;
-    let axes = axes(&study, arguments);
+    let in_scene = || arguments.scene.display().to_string();
+    let axes = axes(&study, arguments).with_context(in_scene)?;
     // before anything is computed
-    study.check_held(&axes.fidelities).with_context(|| arguments.scene.display().to_string())?;
+    study.check_held(&axes.fidelities).with_context(in_scene)?;
     let configurations = axes.configurations();
     let computing = || output::complain("the reference is computed\n");
     let sweep = Sweep::of(study, question, &arguments.output, computing)?;
@@ -79,14 +80,14 @@ pub fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// The axes that are given, and for the others what is usual.
-fn axes(study: &Study, arguments: &Tradeoff) -> Axes {
+/// The axes that are given, and for the others what is usual. Errors: modes of a body that is not there, or is rigid.
+fn axes(study: &Study, arguments: &Tradeoff) -> Result<Axes> {
     let usual = Axes::usual(study);
-    Axes {
-        modes: arguments.modes.clone().unwrap_or(usual.modes),
+    Ok(Axes {
+        modes: if arguments.modes.is_empty() { usual.modes } else { study.mode_axis(&arguments.modes)? },
         fidelities: arguments.fidelity.clone().unwrap_or(usual.fidelities),
         scalars: arguments.scalar.clone().unwrap_or(usual.scalars),
         integrators: arguments.integrator.clone().unwrap_or(usual.integrators),
         steps: arguments.step.clone().unwrap_or(usual.steps),
-    }
+    })
 }

@@ -132,7 +132,7 @@ fn row_data(row: &Row<'_>, counts: &TargetCounts) -> RowData {
     });
     RowData {
         modes: one.modes.to_string(),
-        mode_count: one.modes.count(),
+        mode_count: one.modes.most(),
         fidelity: one.fidelity.to_string(),
         scalar: one.scalar.name(),
         integrator: one.integrator.name(),

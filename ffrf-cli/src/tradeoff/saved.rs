@@ -1,9 +1,11 @@
 //! Reference and outcomes as text, to their last bit: in the folder of a sweep, and on the way between processes.
 
+use std::collections::BTreeMap;
+
 use anyhow::{Context, Error, Result};
 use ffrf_codegen::Fidelity;
 use ffrf_host::tradeoff::{
-    Channel, Configuration, Finding, History, Measured, Modes, Outcome, Reference, StaticCost,
+    Channel, Configuration, Finding, History, Measured, Modes, Outcome, Reference, SceneModes, StaticCost,
 };
 use serde::{Deserialize, Serialize};
 
@@ -87,12 +89,42 @@ fn every_term() -> String {
 
 #[derive(Serialize, Deserialize)]
 struct SavedRun {
-    modes: SavedModes,
+    modes: SavedSceneModes,
     fidelity: String,
     scalar: String,
     integrator: String,
     step: f64,
     finding: SavedFinding,
+}
+
+/// Of every flexible body, or of each by its name.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum SavedSceneModes {
+    Every(SavedModes),
+    Each(BTreeMap<String, SavedModes>),
+}
+
+impl From<&SceneModes> for SavedSceneModes {
+    fn from(modes: &SceneModes) -> Self {
+        match modes {
+            SceneModes::Every(modes) => Self::Every(modes.into()),
+            SceneModes::Each(each) => {
+                Self::Each(each.iter().map(|(body, modes)| (body.clone(), modes.into())).collect())
+            }
+        }
+    }
+}
+
+impl From<SavedSceneModes> for SceneModes {
+    fn from(saved: SavedSceneModes) -> Self {
+        match saved {
+            SavedSceneModes::Every(modes) => Self::Every(modes.into()),
+            SavedSceneModes::Each(each) => {
+                Self::Each(each.into_iter().map(|(body, modes)| (body, modes.into())).collect())
+            }
+        }
+    }
 }
 
 #[derive(Serialize, Deserialize)]

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use ffrf_host::tradeoff::{Channel, Configuration, Outcome, Reference};
 
-use super::asked::Asked;
+use super::asked::{Asked, fnv1a};
 use super::saved::{outcome_from_json, outcome_to_json, reference_from_json, reference_to_json};
 use super::target_counts::TargetCounts;
 
@@ -90,7 +90,7 @@ impl Store {
             text.push_str(&outcome_to_json(outcome).map_err(std::io::Error::other)?);
             text.push('\n');
         }
-        let name = format!("{}.jsonl", first.configuration.key());
+        let name = file_name(&first.configuration.key());
         ffrf_model::write_file(self.folder.join(RUNS).join(name), text.as_bytes())
     }
 
@@ -109,6 +109,19 @@ impl Store {
     }
 }
 
+/// Longest name of a file: file systems take 255 bytes, and what is being written has a few more.
+const LONGEST: usize = 200;
+
+/// The name of the file for outcomes of which this is the first key. It may name many bodies and terms; what is in the file says
+/// all of them, so that a long name is cut and told apart by its hash.
+fn file_name(key: &str) -> String {
+    if key.len() <= LONGEST {
+        return format!("{key}.jsonl");
+    }
+    let begin: String = key.chars().take(LONGEST / 2).filter(char::is_ascii).collect();
+    format!("{begin}-{:016x}.jsonl", fnv1a(key.as_bytes()))
+}
+
 fn read(file: &Path) -> Result<String> {
     fs::read_to_string(file).with_context(|| format!("{}", file.display()))
 }
@@ -116,4 +129,17 @@ fn read(file: &Path) -> Result<String> {
 fn write(file: &Path, text: &str) -> Result<()> {
     ffrf_model::write_file(file, format!("{text}\n").as_bytes())
         .with_context(|| format!("{}: cannot be written", file.display()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_keys_have_short_names_that_differ() {
+        let long = |end: &str| format!("{}{end}", "body_of_a_scene.m.0.5+".repeat(40));
+        let (first, second) = (file_name(&long("a")), file_name(&long("b")));
+        assert!(first != second && first.len() < LONGEST && first.ends_with(".jsonl"), "{first}");
+        assert_eq!(file_name("m4-full-f64-rk4-h1e-3"), "m4-full-f64-rk4-h1e-3.jsonl");
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
+use ffrf_host::tradeoff::{Configuration, Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 
 use super::row::Row;
 use super::target_counts::{TargetCounts, lines};
@@ -13,9 +13,10 @@ use crate::trade_text::describe_reference;
 pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>], counts: &TargetCounts) -> String {
     let mut text = format!("{title}\n\n{}\n", describe_reference(reference));
     text.push_str(LEGEND);
+    let wide = modes_width(rows.iter().map(|row| &row.outcome.configuration));
     let _ = writeln!(
         text,
-        "\n{:>5} {:<14} {:<6} {:<24} {:>10} {:>9} {:>8} {:>10} {:>11} {:>12} {:>8} {:>8}  front",
+        "\n{:>wide$} {:<14} {:<6} {:<24} {:>10} {:>9} {:>8} {:>10} {:>11} {:>12} {:>8} {:>8}  front",
         "modes",
         "fidelity",
         "scalar",
@@ -41,7 +42,7 @@ pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>], counts: &Targe
             [false, false] => "",
         };
         let line = format!(
-            "{:>5} {:<14} {:<6} {:<24} {:>10.3e} {:>9.2e} {:>8.2e} {:>10.3e} {:>11.3e} {:>12.1e} {:>8} {:>8}  {mark}",
+            "{:>wide$} {:<14} {:<6} {:<24} {:>10.3e} {:>9.2e} {:>8.2e} {:>10.3e} {:>11.3e} {:>12.1e} {:>8} {:>8}  {mark}",
             one.modes,
             one.fidelity.to_string(),
             one.scalar.name(),
@@ -62,7 +63,7 @@ pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>], counts: &Targe
         if let Finding::Failed(reason) = &row.outcome.finding {
             let _ = writeln!(
                 text,
-                "{:>5} {:<14} {:<6} {:<24} {:>10.3e} failed: {}",
+                "{:>wide$} {:<14} {:<6} {:<24} {:>10.3e} failed: {}",
                 one.modes,
                 one.fidelity.to_string(),
                 one.scalar.name(),
@@ -76,6 +77,12 @@ pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>], counts: &Targe
         text.push_str(&lines(core, counts, rows.iter().map(|row| row.outcome)));
     }
     text
+}
+
+/// Width of the column of modes, which may name bodies. Units: characters.
+pub fn modes_width<'a>(configurations: impl Iterator<Item = &'a Configuration>) -> usize {
+    let widest = configurations.map(|one| one.modes.to_string().chars().count()).max();
+    widest.unwrap_or(0).max("modes".len())
 }
 
 /// What the columns are.

@@ -7,6 +7,7 @@ use anyhow::{Context, Result, bail};
 use ffrf_host::tradeoff::{Configuration, Outcome, Study};
 use serde::{Deserialize, Serialize};
 
+use super::table::modes_width;
 use crate::arguments::Core;
 use crate::budget::{StepOnTarget, Workshop, configuration_on_target, of_fixed_cost};
 use crate::report::chain;
@@ -57,14 +58,15 @@ pub fn lines<'a>(core: &str, counts: &TargetCounts, outcomes: impl Iterator<Item
         .map(|outcome| &outcome.configuration)
         .filter(|one| counts.of(core, one).is_some() && seen.insert(one.program()))
         .collect();
+    let wide = modes_width(programs.iter().copied());
     let mut text = format!(
         "\n{core}: a step as counted in the emulator, whatever its length; data is constants in tables, model and state\n\
-         {:>5} {:<14} {:<6} {:<24} {:>12} {:>8} {:>8} {:>8} {:>8}\n",
+         {:>wide$} {:<14} {:<6} {:<24} {:>12} {:>8} {:>8} {:>8} {:>8}\n",
         "modes", "fidelity", "scalar", "integrator", "instructions", "code/B", "data/B", "stack/B", "at most"
     );
     let name = |one: &Configuration| {
         let (fidelity, scalar, integrator) = (one.fidelity.to_string(), one.scalar, one.integrator);
-        format!("{:>5} {fidelity:<14} {:<6} {:<24}", one.modes, scalar.name(), integrator.name())
+        format!("{:>wide$} {fidelity:<14} {:<6} {:<24}", one.modes, scalar.name(), integrator.name())
     };
     let mut counted: Vec<(&Configuration, &StepOnTarget)> =
         programs.iter().filter_map(|one| Some((*one, counts.cost(core, one)?))).collect();

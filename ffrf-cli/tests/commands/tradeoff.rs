@@ -213,6 +213,68 @@ fn another_scene_in_the_same_folder_and_unknown_quantities_are_refused() {
     bench.run("tradeoff scene.toml -o out --scalar=generic").failed(2, &["f64 or f32"]);
 }
 
+/// A beam of four modes on a hinge, and at its tip a part of three.
+pub fn write_two_bodies(bench: &Workbench) {
+    bench
+        .run("reduce --nodes X.txt --mass M.mtx --stiffness K.mtx --modes 3 --marker END=3,4,5 -o part.ffrf.json")
+        .succeeded();
+    write_scene(bench);
+    let text = bench.read("scene.toml")
+        + "[bodies.part]\nmodel = \"part.ffrf.json\"\nposition = [10.0, 0.0, 0.0]\n\
+           [joints.hook]\nkind = \"revolute\"\nfirst = \"beam.TIP\"\nsecond = \"part\"\naxis = [0.0, 1.0, 0.0]\n\
+           [sensors.end]\nkind = \"position\"\nof = \"part.END\"\n";
+    bench.write("scene.toml", &text.replace("duration = 2.0", "duration = 0.5"));
+}
+
+#[test]
+fn bodies_have_modes_of_their_own() {
+    let bench = Workbench::with_part();
+    write_two_bodies(&bench);
+    let grid = "tradeoff scene.toml -o out --fidelity=full --scalar=f64 --integrator=linearly_implicit --step=1e-3 \
+                --reference-tolerance=1e-8 --quantity=tip --quantity=end";
+    bench.run(&format!("{grid} --modes=beam=0,2,4 --modes part=0,[0,2],3")).succeeded();
+    let names = [
+        "0",
+        "beam=0 part=[0+2]",
+        "beam=0 part=3",
+        "beam=2 part=0",
+        "beam=2 part=[0+2]",
+        "beam=2 part=3",
+        "beam=4 part=0",
+        "beam=4 part=[0+2]",
+        "4",
+    ];
+    let found = columns(&bench.path("out/table.csv"));
+    assert_eq!(found["modes"], names);
+    let error = |modes: &str| -> f64 {
+        let row = found["modes"].iter().position(|name| name == modes).unwrap();
+        found["error"][row].parse().unwrap()
+    };
+    // each body has what it is given: the beam bends, the part is stiff, and its modes do not stand in for those of the beam
+    for row in 0..names.len() {
+        let has_beam = row >= 6;
+        assert_eq!(error(names[row]) < 1e-4, has_beam, "{found:?}");
+        assert_eq!(error(names[row]) > 1e-3, !has_beam, "{found:?}");
+    }
+    assert!(error("4") != error("beam=4 part=0") && error("0") != error("beam=0 part=3"));
+    let table = bench.read("out/table.txt");
+    let begins: Vec<usize> = table
+        .lines()
+        .filter_map(|line| line.find(" full ").filter(|_| line.contains("linearly_implicit")))
+        .collect();
+    assert!(begins.len() == names.len() && begins.iter().all(|begin| *begin == begins[0]), "{table}");
+    assert!(bench.read("out/report.html").contains(r#""modes":"beam=2 part=[0, 2]""#));
+    // what is done is known again, whichever way it is asked for
+    let again = bench.run(&format!("{grid} --modes beam=4 --modes 1,4")).succeeded();
+    assert!(again.contains("2 runs, 1 of them here before"), "{again}");
+    let again = bench.run(&format!("{grid} --modes part=[2,0]")).succeeded();
+    assert!(again.contains("1 runs, 1 of them here before"), "{again}");
+    bench
+        .run(&format!("{grid} --modes rod=2"))
+        .failed(1, &["scene.toml", "modes of `rod`", "`beam`, `part`"]);
+    bench.run(&format!("{grid} --modes beam=x")).failed(2, &["--modes"]);
+}
+
 /// What was counted on cores stands beside the runs of its programs, whatever their steps; the rest of the sweep does not wait
 /// for tools that are not there.
 #[test]

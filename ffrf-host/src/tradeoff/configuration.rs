@@ -2,14 +2,14 @@
 
 use ffrf_codegen::{Fidelity, ScalarType};
 
-use super::modes::Modes;
+use super::SceneModes;
 use crate::scene::Integrator;
 
 /// One way to simulate a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Configuration {
-    /// Modes of each flexible body.
-    pub modes: Modes,
+    /// Modes of the flexible bodies.
+    pub modes: SceneModes,
     /// Terms of the kinetic energy that are kept, of every flexible body.
     pub fidelity: Fidelity,
     /// Number type, f64 or f32; `generic` counts as f64.
@@ -23,7 +23,7 @@ pub struct Configuration {
 impl Configuration {
     /// Grows with what a run takes: steps, and about the square of the modes above a constant share. Without units.
     pub fn expected_effort(&self) -> f64 {
-        (8.0 + self.modes.count() as f64).powi(2) / self.step
+        (8.0 + self.modes.most() as f64).powi(2) / self.step
     }
 
     /// A name that no other configuration has, fit for files.
@@ -52,7 +52,7 @@ impl Configuration {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axes {
     /// Modes.
-    pub modes: Vec<Modes>,
+    pub modes: Vec<SceneModes>,
     /// Fidelities.
     pub fidelities: Vec<Fidelity>,
     /// Number types.
@@ -69,7 +69,7 @@ impl Axes {
     pub fn configurations(&self) -> Vec<Configuration> {
         let mut all: Vec<Configuration> = Vec::new();
         for modes in &self.modes {
-            let fidelities = if modes.count() == 0 { &[Fidelity::Full] } else { self.fidelities.as_slice() };
+            let fidelities = if modes.is_rigid() { &[Fidelity::Full] } else { self.fidelities.as_slice() };
             for fidelity in fidelities {
                 for scalar in &self.scalars {
                     for integrator in &self.integrators {
@@ -93,12 +93,13 @@ impl Axes {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Modes;
     use super::*;
 
     #[test]
     fn every_combination_is_there_once() {
         let axes = Axes {
-            modes: vec![0.into(), 2.into(), Modes::listed(vec![0, 1])],
+            modes: vec![0.into(), 2.into(), Modes::listed(vec![0, 1]).into()],
             fidelities: vec![Fidelity::Linear, Fidelity::Full],
             scalars: vec![ScalarType::F64, ScalarType::F32],
             integrators: vec![Integrator::Rk4],
@@ -114,7 +115,7 @@ mod tests {
     fn a_list_of_terms_has_a_name_fit_for_files() {
         let fidelity = Fidelity::from_term_names(["first_moment", "modal_rotation"]).unwrap();
         let integrator = Integrator::Rk4;
-        let modes = Modes::first(4);
+        let modes = SceneModes::first(4);
         let one = Configuration { modes, fidelity, scalar: ScalarType::F32, integrator, step: 2.5e-4 };
         assert_eq!(one.program(), "m4-first_moment+modal_rotation-f32-rk4");
         assert_eq!(one.key(), "m4-first_moment+modal_rotation-f32-rk4-h2.5e-4");

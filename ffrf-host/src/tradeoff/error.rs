@@ -22,6 +22,9 @@ pub enum TradeoffError {
         /// What there is.
         known: String,
     },
+    /// Modes of a body that the scene does not have, or that is rigid.
+    #[error("{0}")]
+    Modes(String),
     /// The reference could not be computed.
     #[error("the reference (all modes, tolerance {tolerance:e}): {reason}")]
     Reference {

@@ -21,6 +21,7 @@ mod modes;
 mod outcome;
 mod plan;
 mod reference;
+mod scene_modes;
 mod study;
 mod sweep;
 mod trajectory;
@@ -36,9 +37,10 @@ pub use modes::Modes;
 pub use outcome::{Finding, INSTRUCTIONS_PER_OPERATION, Measured, Outcome, run};
 pub use plan::{
     Affordable, Candidate, Choice, ModeUse, Motion, Operations, Pilot, Plan, PlanOptions, PlanWithin,
-    StepBudget, TermUse, Truncation, plan, plan_again_within, plan_within,
+    Ranking, StepBudget, TermUse, Truncation, plan, plan_again_within, plan_within,
 };
 pub use reference::{Reference, ReferenceOptions};
+pub use scene_modes::{ModeValues, SceneModes};
 pub use study::{Study, Variant};
 pub use sweep::{Done, sweep};
 pub use trajectory::History;

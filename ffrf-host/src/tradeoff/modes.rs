@@ -1,11 +1,11 @@
-//! Which modes of the flexible bodies a configuration has.
+//! Which modes a body has in a configuration.
 
 use std::fmt;
 use std::str::FromStr;
 
 use ffrf_model::ModeSelection;
 
-/// Modes of every flexible body, or those of them that it has; counted from 0, as modal coordinates are.
+/// Modes of a body, or those of them that it has; counted from 0, as modal coordinates are.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Modes(Form);
 
@@ -44,11 +44,6 @@ impl Modes {
             Form::First(count) => mode < *count,
             Form::Listed(modes) => modes.binary_search(&mode).is_ok(),
         }
-    }
-
-    /// Whether they are all that a body of `available` modes has.
-    pub fn are_all(&self, available: usize) -> bool {
-        matches!(self.0, Form::First(count) if count >= available)
     }
 
     /// Those that a body of `available` modes has.
@@ -163,7 +158,6 @@ mod tests {
         assert_eq!((four.of(3), four.of(8)), (Modes::first(3), Modes::first(4)));
         assert_eq!((some.of(5), some.of(2)), (Modes::listed(vec![0, 2]), Modes::first(1)));
         assert!(some.has(2) && !some.has(1) && four.has(3) && !four.has(4));
-        assert!(four.are_all(4) && !four.are_all(5) && !some.are_all(6));
         assert_eq!(some.indices(), [0, 2, 5]);
     }
 }

@@ -43,7 +43,8 @@ pub struct Reference {
     /// What errors of each channel are divided by: the farthest that a place goes from where it began, the largest kinetic and
     /// elastic energy, the largest size of anything else. Units: those of the channel.
     pub scales: Vec<f64>,
-    /// Its own error in each channel, over the scale: the difference to a run of a coarser tolerance, which is less exact.
+    /// Its own error in each channel, over the scale: the difference to a run of a coarser tolerance and with steps that may be
+    /// twice as long, which is less exact.
     pub own_errors: Vec<f64>,
     /// Relative tolerance per step.
     pub tolerance: f64,
@@ -78,7 +79,8 @@ impl Reference {
         let mut everything = channels.clone();
         everything.extend(Channel::states(&variant.scene));
         let times = study.times();
-        let coarser = || controlled(study, &variant, &channels, &times, COARSER * options.tolerance);
+        // where the times allow longer steps than the tolerance asks for, both tolerances take the same: these steps are not halved
+        let coarser = || with_tolerance(study, &variant, &channels, &times, COARSER * options.tolerance);
         let (fine, coarse) = thread::scope(|scope| {
             let coarse = scope.spawn(coarser);
             (controlled(study, &variant, &everything, &times, options.tolerance), coarse.join())
@@ -133,8 +135,23 @@ impl Reference {
     }
 }
 
-/// A run with error control, and its steps.
+/// A run with error control whose steps are at most half the way from one time to the next, and how many there were.
 pub(super) fn controlled(
+    study: &Study,
+    variant: &Variant,
+    channels: &[Channel],
+    times: &[f64],
+    tolerance: f64,
+) -> Result<(History, u64), TradeoffError> {
+    let middles = times.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
+    let halved: Vec<f64> = middles.chain(times.last().copied()).collect();
+    let (mut history, steps) = with_tolerance(study, variant, channels, &halved, tolerance)?;
+    history.values = history.values.into_iter().step_by(2).collect();
+    Ok((history, steps))
+}
+
+/// A run with error control, and its steps.
+fn with_tolerance(
     study: &Study,
     variant: &Variant,
     channels: &[Channel],

@@ -12,6 +12,7 @@ use super::configuration::Configuration;
 use super::cost::StaticCost;
 use super::held::{Held, with_fidelities};
 use super::modes::Modes;
+use super::scene_modes::{ModeValues, SceneModes, check_names, combinations};
 use crate::scene::file::{BodyTable, FidelityValue, FunctionValue, SceneFile};
 use crate::scene::{Coordinates, Integrator, ModesValue, Scene, SceneError, Settings, StepChoice};
 use crate::{HostBody, HostModal};
@@ -57,7 +58,7 @@ impl Study {
         // the scene itself must be sound, not only what becomes of it
         let scene = Scene::compose(&file, &folder)?;
         let own = scene.settings;
-        let whole = Scene::compose(&with_bodies(&file, |_, table| without_modes(table)), &folder)?;
+        let whole = Scene::compose(&with_bodies(&file, |_, _, table| without_modes(table)), &folder)?;
         let flexible = file.bodies.iter().map(|(_, table)| table.model.is_some());
         let counts = whole.mechanism.bodies().iter().map(HostBody::mode_count);
         let available = flexible.zip(counts).map(|(flexible, count)| flexible.then_some(count)).collect();
@@ -90,8 +91,30 @@ impl Study {
     }
 
     /// All that they have.
-    pub fn all_modes(&self) -> Modes {
-        Modes::first(self.most_modes())
+    pub fn all_modes(&self) -> SceneModes {
+        SceneModes::first(self.most_modes())
+    }
+
+    /// Names of the flexible bodies, and how many modes they have.
+    pub fn flexible_bodies(&self) -> Vec<(&str, usize)> {
+        let bodies = self.file.bodies.iter().zip(&self.available);
+        bodies.filter_map(|((name, _), available)| Some((name.as_str(), (*available)?))).collect()
+    }
+
+    /// The axis of modes that values make, which name a body each or none.
+    ///
+    /// Errors: a name that no flexible body has; the message lists those that there are.
+    pub fn mode_axis(&self, values: &[ModeValues]) -> Result<Vec<SceneModes>, TradeoffError> {
+        combinations(values, &self.flexible_bodies()).map_err(TradeoffError::Modes)
+    }
+
+    /// The one form that a choice of modes of these bodies has. Errors: a name that no flexible body has.
+    pub fn canonical(&self, modes: SceneModes) -> Result<SceneModes, TradeoffError> {
+        let bodies = self.flexible_bodies();
+        if let SceneModes::Each(each) = &modes {
+            check_names(each.keys().map(String::as_str), &bodies).map_err(TradeoffError::Modes)?;
+        }
+        Ok(modes.canonical(&bodies))
     }
 
     /// Every term of the kinetic energy that all flexible bodies hold: what the reference has. `full`, but of bodies that were
@@ -176,8 +199,10 @@ impl Study {
 
     /// The macro calls that make the scene with a configuration. `title`: name of the mechanism.
     pub fn macro_calls(&self, title: &str, configuration: &Configuration) -> String {
-        let modes: Vec<Option<Modes>> =
-            self.available.iter().map(|most| most.map(|most| configuration.modes.of(most))).collect();
+        let bodies = self.file.bodies.iter().zip(&self.available);
+        let modes: Vec<Option<Modes>> = bodies
+            .map(|((name, _), available)| available.map(|most| configuration.modes.of(name, most)))
+            .collect();
         super::calls::calls(&self.file, &self.folder, title, &modes, configuration)
     }
 
@@ -198,7 +223,7 @@ impl Study {
     pub(super) fn body_with(&self, index: usize, fidelity: &Fidelity) -> Result<HostBody, TradeoffError> {
         // another body may not hold these terms
         let others = self.richest();
-        let variant = with_bodies(&self.file, |body, table| {
+        let variant = with_bodies(&self.file, |body, _, table| {
             if let Some(available) = self.available.get(body).copied().flatten() {
                 let fidelity = if body == index { fidelity } else { &others };
                 with_modes(table, available, &Modes::first(available), fidelity);
@@ -210,10 +235,10 @@ impl Study {
 
     /// The scene's file with these modes of each flexible body, and these terms; its files are looked for in
     /// [`folder`](Self::folder).
-    pub fn file_with(&self, modes: &Modes, fidelity: &Fidelity) -> SceneFile {
-        with_bodies(&self.file, |body, table| {
+    pub fn file_with(&self, modes: &SceneModes, fidelity: &Fidelity) -> SceneFile {
+        with_bodies(&self.file, |body, name, table| {
             if let Some(available) = self.available.get(body).copied().flatten() {
-                with_modes(table, available, &modes.of(available), fidelity);
+                with_modes(table, available, &modes.of(name, available), fidelity);
             }
         })
     }
@@ -223,8 +248,10 @@ impl Study {
         &self.folder
     }
 
-    /// The scene with these modes of each flexible body, and these terms. Errors: the scene cannot be assembled so.
-    pub fn variant(&self, modes: &Modes, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
+    /// The scene with these modes of each flexible body, and these terms. Errors: the scene cannot be assembled so, or a body
+    /// that is named is none that is flexible.
+    pub fn variant(&self, modes: &SceneModes, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
+        self.canonical(modes.clone())?;
         let file = self.file_with(modes, fidelity);
         let scene = Scene::compose(&file, &self.folder)?;
         let (initial, _) = scene.assembled()?;
@@ -234,11 +261,11 @@ impl Study {
 }
 
 /// A copy of a scene with other bodies; joint coordinates, which not every integrator goes with, are left.
-fn with_bodies(file: &SceneFile, change: impl Fn(usize, &mut BodyTable)) -> SceneFile {
+fn with_bodies(file: &SceneFile, change: impl Fn(usize, &str, &mut BodyTable)) -> SceneFile {
     let mut copy = file.clone();
     copy.simulation.constraints = copy.simulation.constraints.filter(|name| name != "minimal");
-    for (index, (_, table)) in copy.bodies.iter_mut().enumerate() {
-        change(index, table);
+    for (index, (name, table)) in copy.bodies.iter_mut().enumerate() {
+        change(index, name, table);
     }
     copy
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-use super::{Configuration, Modes, Outcome, Reference, Study, TradeoffError, Variant, run};
+use super::{Configuration, Outcome, Reference, SceneModes, Study, TradeoffError, Variant, run};
 
 /// How far a sweep is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,7 +64,7 @@ pub fn sweep(
     Ok(configurations.iter().filter_map(|one| found.get(&one.key()).cloned()).collect())
 }
 
-fn variant_key(one: &Configuration) -> (Modes, String) {
+fn variant_key(one: &Configuration) -> (SceneModes, String) {
     (one.modes.clone(), one.fidelity.to_string())
 }
 
@@ -72,7 +72,7 @@ fn variant_key(one: &Configuration) -> (Modes, String) {
 fn variants(
     study: &Study,
     needed: &[&Configuration],
-) -> Result<BTreeMap<(Modes, String), Variant>, TradeoffError> {
+) -> Result<BTreeMap<(SceneModes, String), Variant>, TradeoffError> {
     let mut variants = BTreeMap::new();
     for one in needed {
         if let std::collections::btree_map::Entry::Vacant(place) = variants.entry(variant_key(one)) {

@@ -2,7 +2,7 @@
 
 use ffrf_codegen::ScalarType;
 
-use super::{Axes, Modes, Study};
+use super::{Axes, SceneModes, Study};
 use crate::scene::Integrator;
 
 /// The usual steps: so many, each this much smaller than the one before.
@@ -24,7 +24,7 @@ impl Axes {
             modes: std::iter::once(0)
                 .chain(doubled)
                 .chain((most > 0).then_some(most))
-                .map(Modes::first)
+                .map(SceneModes::first)
                 .collect(),
             fidelities: study.levels(),
             scalars: vec![ScalarType::F64, ScalarType::F32],

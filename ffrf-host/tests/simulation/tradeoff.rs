@@ -10,7 +10,7 @@ use ffrf_host::scene::{Integrator, Scene};
 use ffrf_host::simulate::simulate;
 use ffrf_host::tradeoff::{
     Axes, Configuration, Finding, Measured, Modes, Operations, Outcome, PlanOptions, Quantity, Reference,
-    ReferenceOptions, StepBudget, Study, TradeoffError, Variant, plan, plan_within, run, sweep,
+    ReferenceOptions, SceneModes, StepBudget, Study, TradeoffError, Variant, plan, plan_within, run, sweep,
 };
 use ffrf_runtime::FlexibleBody;
 
@@ -58,7 +58,7 @@ fn compare(
         panic!("{name}: {one:?} fails");
     };
     let axes = Axes {
-        modes: modes.into_iter().map(Modes::first).collect(),
+        modes: modes.into_iter().map(SceneModes::first).collect(),
         fidelities: vec![Fidelity::Constant, Fidelity::Linear, Fidelity::Full],
         scalars,
         integrators,
@@ -178,9 +178,9 @@ fn a_run_of_a_study_is_the_simulation() {
     for (own, shown) in reference.times.iter().zip(&shown) {
         assert!((own - shown).abs() < 1e-12);
     }
-    let variant = study.variant(&Modes::first(0), &Fidelity::Full).unwrap();
+    let variant = study.variant(&SceneModes::first(0), &Fidelity::Full).unwrap();
     let configuration = |scalar, step| Configuration {
-        modes: Modes::first(0),
+        modes: SceneModes::first(0),
         fidelity: Fidelity::Full,
         scalar,
         integrator: Integrator::Rk4,
@@ -208,7 +208,7 @@ fn the_calls_of_the_macros_name_what_was_chosen() {
     let (scalar, integrator) = (ScalarType::F32, Integrator::LinearlyImplicit);
     let text = study.macro_calls(
         "slider_crank",
-        &Configuration { modes: Modes::first(2), fidelity, scalar, integrator, step: 1e-5 },
+        &Configuration { modes: SceneModes::first(2), fidelity, scalar, integrator, step: 1e-5 },
     );
     for part in [
         "pub struct Rod {",
@@ -227,6 +227,18 @@ fn the_calls_of_the_macros_name_what_was_chosen() {
     }
 }
 
+/// Where the samples are closer together than the tolerance asks for, runs of any tolerance would take the same steps and differ by
+/// nothing: the own error must be what the reference is off by all the same.
+#[test]
+fn a_reference_knows_its_error_where_samples_cut_its_steps() {
+    let study = study("bricard.toml", 2.0, 40.0);
+    let with = |tolerance| Reference::compute(&study, &[], ReferenceOptions { tolerance }).unwrap();
+    let (rough, exact) = (with(1e-3), with(1e-11));
+    let error = exact.errors(&rough.history).into_iter().fold(0.0, f64::max);
+    eprintln!("{} steps, off by {error:.2e}, own error {:.2e}", rough.steps, rough.own_error());
+    assert!(exact.own_error() < 1e-2 * error && error <= rough.own_error());
+}
+
 /// A scene with a list of modes: the body, its initial values and the calls of the macros are those of the list.
 #[test]
 fn modes_may_be_a_list() {
@@ -236,7 +248,7 @@ fn modes_may_be_a_list() {
     file.bodies[1].1.modal_coordinates = Some((0..8).map(tiny).collect());
     let study = Study::new(file, scenes()).unwrap();
     let all = study.variant(&study.all_modes(), &Fidelity::Full).unwrap();
-    let some = Modes::listed(vec![5, 1]);
+    let some = SceneModes::from(Modes::listed(vec![5, 1]));
     let listed = study.variant(&some, &Fidelity::Full).unwrap();
     let stiffness = |variant: &Variant| variant.scene.mechanism.bodies()[1].stiffness().dense();
     let (few, many) = (stiffness(&listed), stiffness(&all));
@@ -250,7 +262,7 @@ fn modes_may_be_a_list() {
     file.bodies[1].1.fidelity = None;
     let own = Study::new(file, scenes()).unwrap();
     assert_eq!(own.most_modes(), 8);
-    let widened = own.file_with(&Modes::first(6), &Fidelity::Full).bodies[1].1.modal_coordinates.clone();
+    let widened = own.file_with(&SceneModes::first(6), &Fidelity::Full).bodies[1].1.modal_coordinates.clone();
     assert_eq!(widened, Some(vec![0.0, tiny(1), 0.0, 0.0, 0.0, tiny(5)]));
     let (fidelity, scalar, integrator) = (Fidelity::Full, ScalarType::F64, Integrator::Rk4);
     let one = Configuration { modes: some, fidelity, scalar, integrator, step: 1e-5 };
@@ -273,7 +285,7 @@ fn a_plan_takes_the_modes_that_take_part() {
     let found = plan(&study, &options).unwrap();
     let modes = &found.configuration.modes;
     eprintln!("{modes}: {:?}", found.models);
-    assert!(modes.has(5) && modes.count() < 6, "{modes}");
+    assert!(modes.has("rod", 5) && modes.most() < 6, "{modes}");
     let tolerance = 0.1 * found.reference.tolerance;
     let reference = Reference::compute(&study, &quantities, ReferenceOptions { tolerance }).unwrap();
     let variant = study.variant(modes, &found.configuration.fidelity).unwrap();
@@ -281,9 +293,9 @@ fn a_plan_takes_the_modes_that_take_part() {
     let error = outcome.measured().unwrap().error();
     assert!(error <= OVER_BUDGET * options.error, "{error}");
     // the first so many are no better
-    let first = study.variant(&Modes::first(modes.count()), &Fidelity::Full).unwrap();
+    let first = study.variant(&SceneModes::first(modes.most()), &Fidelity::Full).unwrap();
     let one = Configuration {
-        modes: Modes::first(modes.count()),
+        modes: SceneModes::first(modes.most()),
         fidelity: Fidelity::Full,
         ..found.configuration.clone()
     };

@@ -1,6 +1,6 @@
 """The compiled half of the package; import from ``ffrf``."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import ClassVar, Union, final
 
@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from ffrf._simulation import Summary
 
 _Path = Union[str, PathLike[str]]
+_BodyModes = Union[int, Sequence[int]]
+# of every flexible body, or of each by its name; those that are not named have all
+_Modes = Union[_BodyModes, Mapping[str, _BodyModes]]
 _Array = NDArray[np.float64]
 
 __all__ = [
@@ -148,11 +151,11 @@ def simulate(scene: _Path, state: str | None = None) -> tuple[list[tuple[str, _A
 class Configuration:
     """One way to simulate a scene. Equal ones have equal hashes; can be pickled."""
 
-    def __new__(cls, modes: int | Sequence[int], fidelity: str, scalar: str, integrator: str, step: float) -> Configuration:
+    def __new__(cls, modes: _Modes, fidelity: str, scalar: str, integrator: str, step: float) -> Configuration:
         """Names as on the command line: ``full`` or terms separated by commas, ``f64`` or ``f32``, ``rk4``, ...; step in s."""
     @property
-    def modes(self) -> int | list[int]:
-        """The first so many modes of every flexible body, or a list of those from 0 that are used."""
+    def modes(self) -> int | list[int] | dict[str, int | list[int]]:
+        """The first so many modes of every flexible body, or a list of those from 0 that are used; or one of these for each body."""
     @property
     def fidelity(self) -> str:
         """Terms of the kinetic energy that are kept."""
@@ -245,6 +248,9 @@ class Study:
     def most_modes(self) -> int:
         """The most modes that a body of the scene has."""
     @property
+    def flexible_bodies(self) -> dict[str, int]:
+        """Names of the flexible bodies, and how many modes they have."""
+    @property
     def channels(self) -> list[tuple[str, str]]:
         """Name and unit of each vector whose error is taken."""
     @property
@@ -256,7 +262,7 @@ class Study:
     def configurations(
         self,
         *,
-        modes: Sequence[int | Sequence[int]] | None = None,
+        modes: Sequence[_Modes] | None = None,
         fidelity: Sequence[str] | None = None,
         scalar: Sequence[str] | None = None,
         integrator: Sequence[str] | None = None,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import List, Optional, Sequence, Union
+from typing import List, Mapping, Optional, Sequence, Union
 
 from ffrf._native import Outcome, Sweep
 
@@ -12,7 +12,7 @@ def tradeoff(
     scene: Union[str, "os.PathLike[str]"],
     folder: Union[str, "os.PathLike[str]"],
     *,
-    modes: Optional[Sequence[Union[int, Sequence[int]]]] = None,
+    modes: Optional[Sequence[Union[int, Sequence[int], Mapping[str, Union[int, Sequence[int]]]]]] = None,
     fidelity: Optional[Sequence[str]] = None,
     scalar: Optional[Sequence[str]] = None,
     integrator: Optional[Sequence[str]] = None,

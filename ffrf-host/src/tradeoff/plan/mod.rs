@@ -8,6 +8,7 @@
 mod model;
 mod modes;
 mod motion;
+mod ranking;
 mod spectrum;
 mod statics;
 mod steps;
@@ -17,12 +18,13 @@ mod within;
 
 use ffrf_codegen::{Fidelity, ScalarType};
 
-use super::{Configuration, Modes, Quantity, Reference, ReferenceOptions, Study, TradeoffError};
+use super::{Configuration, Quantity, Reference, ReferenceOptions, SceneModes, Study, TradeoffError};
 use crate::scene::Integrator;
 
 pub use model::Choice;
 pub use modes::ModeUse;
 pub use motion::Motion;
+pub use ranking::Ranking;
 pub use statics::Truncation;
 pub use steps::{Candidate, Pilot};
 pub use terms::TermUse;
@@ -105,8 +107,8 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
     }
     let motion = motion::look(study, &reference, &whole, &states)?;
     let needed = study.held().completed(motion.needed_terms(NEGLIGIBLE * options.error));
-    let mut search = model::Search::new(study, &reference, tolerance, needed, motion.ranking());
-    let mut left: Vec<(Modes, Fidelity)> = Vec::new();
+    let mut search = model::Search::new(study, &reference, tolerance, needed, motion.ranking(study));
+    let mut left: Vec<(SceneModes, Fidelity)> = Vec::new();
     for share in MODEL_SHARES {
         if let Some(choice) = search.least(share * options.error)
             && !left.contains(&choice)

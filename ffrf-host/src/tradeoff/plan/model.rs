@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 use ffrf_codegen::Fidelity;
 
 use super::super::reference::controlled;
-use super::super::{History, Modes, Reference, Study, TradeoffError, Variant};
+use super::super::{History, Reference, SceneModes, Study, TradeoffError, Variant};
+use super::ranking::Ranking;
 
 /// A model that was tried.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Choice {
-    /// Modes of each flexible body.
-    pub modes: Modes,
+    /// Modes of the flexible bodies.
+    pub modes: SceneModes,
     /// Terms that are kept.
     pub fidelity: Fidelity,
     /// What it lacks against all modes and terms, over the scale of the worst quantity; infinite where it cannot be run.
@@ -20,7 +21,7 @@ pub struct Choice {
 
 /// A model, and its motion.
 pub(super) struct Model {
-    pub(super) modes: Modes,
+    pub(super) modes: SceneModes,
     pub(super) fidelity: Fidelity,
     pub(super) variant: Variant,
     pub(super) error: f64,
@@ -38,10 +39,10 @@ pub(super) struct Search<'a> {
     /// The levels, and the terms that are not negligible by their bounds where no level has just these.
     fidelities: Vec<Fidelity>,
     /// The modes in the order of what they take part in the motion of the whole model.
-    ranking: Vec<usize>,
+    ranking: Ranking,
     tried: Vec<Choice>,
     /// None of models that cannot be assembled or run.
-    known: BTreeMap<(Modes, String), Option<Model>>,
+    known: BTreeMap<(SceneModes, String), Option<Model>>,
 }
 
 impl<'a> Search<'a> {
@@ -51,7 +52,7 @@ impl<'a> Search<'a> {
         reference: &'a Reference,
         tolerance: f64,
         needed: Fidelity,
-        ranking: Vec<usize>,
+        ranking: Ranking,
     ) -> Self {
         let mut fidelities = study.levels();
         if !fidelities.iter().any(|level| level.terms().eq(needed.terms())) {
@@ -67,17 +68,19 @@ impl<'a> Search<'a> {
 
     /// The fewest modes, then the cheapest terms, that lack no more than `error`; none if even the whole model cannot.
     ///
-    /// By halving, of the first so many and of those that take part most: more modes are taken to be no worse.
-    pub(super) fn least(&mut self, error: f64) -> Option<(Modes, Fidelity)> {
-        let first = self.fewest(0, self.study.most_modes(), error, |_, count| Modes::first(count))?;
-        if first.count() == 0 {
+    /// By halving, of the first so many of every body and of those that take part most, whichever body's they are; of several
+    /// bodies then of each by itself, in the order of what its own take part. More modes are taken to be no worse.
+    pub(super) fn least(&mut self, error: f64) -> Option<(SceneModes, Fidelity)> {
+        let first = self.fewest(0, self.study.most_modes(), error, |_, count| SceneModes::first(count))?;
+        if first.is_rigid() {
             // without modes all fidelities are the same body
             return Some((first, Fidelity::Full));
         }
-        let ranked =
-            |search: &Self, count: usize| Modes::listed(search.ranking.iter().copied().take(count).collect());
+        let ranked = |search: &Self, count: usize| search.ranking.choice(count);
         // none of these would be worth it with as many modes as of the first
-        let modes = self.fewest(1, first.count() - 1, error, ranked).unwrap_or(first);
+        let most = self.ranking.count(&first) - 1;
+        let modes = self.fewest(1, most, error, ranked).unwrap_or(first);
+        let modes = self.trimmed(modes, error);
         let mut by_cost: Vec<(f64, Fidelity)> = Vec::new();
         for fidelity in self.fidelities.clone() {
             if let Ok(variant) = self.study.variant(&modes, &fidelity) {
@@ -89,14 +92,34 @@ impl<'a> Search<'a> {
         enough.map(|(_, level)| (modes, level))
     }
 
+    /// Fewer modes of one body after the other where that lacks no more than `error`; of a single body nothing is left to try.
+    fn trimmed(&mut self, mut modes: SceneModes, error: f64) -> SceneModes {
+        let bodies = self.ranking.bodies().to_vec();
+        if bodies.len() < 2 {
+            return modes;
+        }
+        for (body, available) in &bodies {
+            let own = modes.of(body, *available).count();
+            if own == 0 {
+                continue;
+            }
+            let before = modes.clone();
+            let fewer = |search: &Self, count: usize| search.ranking.with(&before, body, count);
+            if let Some(found) = self.fewest(0, own - 1, error, fewer) {
+                modes = found;
+            }
+        }
+        modes
+    }
+
     /// The fewest of `low` to `high` modes that lack no more than `error` with every term.
     fn fewest(
         &mut self,
         mut low: usize,
         mut high: usize,
         error: f64,
-        modes: impl Fn(&Self, usize) -> Modes,
-    ) -> Option<Modes> {
+        modes: impl Fn(&Self, usize) -> SceneModes,
+    ) -> Option<SceneModes> {
         if low > high {
             return None;
         }
@@ -114,12 +137,12 @@ impl<'a> Search<'a> {
     }
 
     /// What a model lacks; infinite where it cannot be assembled or run.
-    fn error(&mut self, modes: &Modes, fidelity: &Fidelity) -> f64 {
+    fn error(&mut self, modes: &SceneModes, fidelity: &Fidelity) -> f64 {
         self.model(modes, fidelity).map_or(f64::INFINITY, |model| model.error)
     }
 
     /// A model with its motion; none if it cannot be assembled or run.
-    pub(super) fn model(&mut self, modes: &Modes, fidelity: &Fidelity) -> Option<&Model> {
+    pub(super) fn model(&mut self, modes: &SceneModes, fidelity: &Fidelity) -> Option<&Model> {
         let key = (modes.clone(), fidelity.to_string());
         if !self.known.contains_key(&key) {
             let model = self.integrate(modes, fidelity).ok();
@@ -130,11 +153,11 @@ impl<'a> Search<'a> {
         self.known.get(&key).and_then(Option::as_ref)
     }
 
-    fn integrate(&self, modes: &Modes, fidelity: &Fidelity) -> Result<Model, TradeoffError> {
+    fn integrate(&self, modes: &SceneModes, fidelity: &Fidelity) -> Result<Model, TradeoffError> {
         let variant = self.study.variant(modes, fidelity)?;
         let Reference { channels, times, history, .. } = self.reference;
         // the whole model has been integrated
-        let is_whole = modes.are_all(self.study.most_modes()) && *fidelity == self.richest;
+        let is_whole = self.ranking.has_all(modes) && *fidelity == self.richest;
         let history = if is_whole {
             history.clone()
         } else {

@@ -28,7 +28,9 @@ pub struct ModeUse {
     pub displacement: f64,
     /// The same of its static part, its load over its stiffness. Units: m.
     pub static_displacement: f64,
-    /// Its largest elastic energy over the largest of the body.
+    /// Its largest elastic energy by itself. Units: J.
+    pub energy: f64,
+    /// The same over the largest of the body.
     pub energy_share: f64,
 }
 
@@ -84,6 +86,7 @@ pub(super) fn mode_uses(
         let moved = model.markers.iter().map(|marker| Vector3::from(marker.translation[mode]).norm());
         let moved = moved.fold(0.0, f64::max);
         let load: Vec<f64> = statics.iter().map(|part| part[mode]).collect();
+        let energy = 0.5 * stiffness[mode] * amplitude * amplitude;
         ModeUse {
             body: name.to_owned(),
             mode: mode + 1,
@@ -93,7 +96,8 @@ pub(super) fn mode_uses(
             load_frequency: highest_frequency(&load, interval),
             displacement: amplitude * moved,
             static_displacement: at_rest * moved,
-            energy_share: 0.5 * stiffness[mode] * amplitude * amplitude / total,
+            energy,
+            energy_share: energy / total,
         }
     };
     (0..body.mode_count()).map(one).collect()

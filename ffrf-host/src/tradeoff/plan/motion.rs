@@ -3,8 +3,9 @@
 use ffrf_codegen::Fidelity;
 use ffrf_runtime::{Envelope, State};
 
-use super::super::{Modes, MotionLimits, Reference, Study, TradeoffError, Variant};
+use super::super::{MotionLimits, Reference, SceneModes, Study, TradeoffError, Variant};
 use super::modes::{ModeUse, mode_uses};
+use super::ranking::Ranking;
 use super::statics::{Truncation, truncation};
 use super::terms::{TermUse, term_uses};
 use super::track::{limits, tracks};
@@ -25,20 +26,9 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// The modes of all bodies in the order of what they take part: of the largest elastic energy that one stores over that of its
-    /// body. Modes of several bodies that have the same number go together.
-    pub fn ranking(&self) -> Vec<usize> {
-        let most = self.modes.iter().map(|one| one.mode).max().unwrap_or(0);
-        let mut shares = vec![0.0_f64; most];
-        for one in &self.modes {
-            if let Some(share) = shares.get_mut(one.mode - 1) {
-                *share = share.max(one.energy_share);
-            }
-        }
-        let mut ranking: Vec<usize> = (0..most).collect();
-        // the lower mode first where they are equal
-        ranking.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
-        ranking
+    /// The modes of all bodies in the order of what they take part: of the largest elastic energy that one stores.
+    pub fn ranking(&self, study: &Study) -> Ranking {
+        Ranking::of(&study.flexible_bodies(), &self.modes)
     }
 
     /// The terms that can contribute more than `share` of the forces in any body, and those that are always kept.
@@ -84,7 +74,7 @@ pub(super) fn truncations(
     whole: &Variant,
     states: &[Vec<f64>],
     uses: &[ModeUse],
-    modes: &Modes,
+    modes: &SceneModes,
 ) -> Vec<Truncation> {
     truncation(reference, whole, &tracks(reference, whole, states), uses, modes)
 }

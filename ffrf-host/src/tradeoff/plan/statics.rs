@@ -5,7 +5,7 @@ use ffrf_runtime::mechanism::Constrained;
 use nalgebra::DVector;
 
 use super::super::channel::{Channel, Source};
-use super::super::{Modes, Reference, Variant};
+use super::super::{Reference, SceneModes, Variant};
 use super::modes::{ModeUse, static_parts};
 use super::track::Track;
 use crate::HostModal;
@@ -30,7 +30,7 @@ pub(super) fn truncation(
     whole: &Variant,
     tracks: &[Track],
     uses: &[ModeUse],
-    modes: &Modes,
+    modes: &SceneModes,
 ) -> Vec<Truncation> {
     let bodies = whole.scene.mechanism.bodies().iter().zip(&whole.scene.body_names).zip(tracks);
     let statics: Vec<Vec<DVector<f64>>> = bodies
@@ -50,11 +50,11 @@ pub(super) fn truncation(
         let mut is_known = true;
         for step in 0..steps {
             let state = |change: &dyn Fn(usize, usize, f64) -> f64| -> Vec<State<HostModal>> {
-                let all = tracks.iter().enumerate();
-                all.map(|(index, track)| {
+                let all = tracks.iter().zip(&whole.scene.body_names).enumerate();
+                all.map(|(index, (track, name))| {
                     let mut state = track.states[step].clone();
                     let all = state.modal_coordinates.0.iter_mut().enumerate();
-                    let dropped = all.filter(|(mode, _)| !modes.has(*mode));
+                    let dropped = all.filter(|(mode, _)| !modes.has(name, *mode));
                     dropped.for_each(|(mode, q)| *q = change(index, mode, *q));
                     state
                 })

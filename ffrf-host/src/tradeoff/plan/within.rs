@@ -9,9 +9,10 @@ use ffrf_runtime::mechanism::Assembly;
 use super::super::cost::evaluations_per_step;
 use super::super::trajectory::trajectory;
 use super::super::{
-    Configuration, Modes, Quantity, Reference, ReferenceOptions, Study, TradeoffError, Variant,
+    Configuration, Quantity, Reference, ReferenceOptions, SceneModes, Study, TradeoffError, Variant,
 };
 use super::motion;
+use super::ranking::Ranking;
 use crate::scene::{Integrator, StepChoice};
 
 /// Floating-point operations of compiled code that there is time for: where a number type is computed in software, fewer.
@@ -72,7 +73,7 @@ pub struct PlanWithin {
     /// What errors were taken against.
     pub reference: Reference,
     /// The modes in the order of what they take part in the motion of the whole model.
-    pub ranking: Vec<usize>,
+    pub ranking: Ranking,
 }
 
 /// An error counts as no better than another within this factor; the cheaper is taken then, and f32 before f64.
@@ -94,7 +95,7 @@ pub fn plan_within(study: &Study, budget: &StepBudget) -> Result<PlanWithin, Tra
     let study = &study.in_steps_of(budget.step).ok_or_else(refused)?;
     let options = ReferenceOptions::default();
     let (reference, whole, states) = Reference::survey(study, &budget.quantities, options)?;
-    let ranking = motion::look(study, &reference, &whole, &states)?.ranking();
+    let ranking = motion::look(study, &reference, &whole, &states)?.ranking(study);
     choose(study, reference, ranking, budget)
 }
 
@@ -115,7 +116,7 @@ pub fn plan_again_within(
 fn choose(
     study: &Study,
     reference: Reference,
-    ranking: Vec<usize>,
+    ranking: Ranking,
     budget: &StepBudget,
 ) -> Result<PlanWithin, TradeoffError> {
     let mut tried = Vec::new();
@@ -123,8 +124,8 @@ fn choose(
     for fidelity in study.levels() {
         // without modes all fidelities are the same body
         let least = usize::from(fidelity != richest);
-        let choices = choices(study.most_modes(), &ranking, least);
-        let mut variants: BTreeMap<&Modes, Variant> = BTreeMap::new();
+        let choices = choices(&ranking, least);
+        let mut variants: BTreeMap<&SceneModes, Variant> = BTreeMap::new();
         for integrator in &budget.integrators {
             for (scalar, divisions) in
                 budget.scalars.iter().flat_map(|scalar| budget.divisions.iter().map(move |d| (*scalar, *d)))
@@ -132,9 +133,9 @@ fn choose(
                 let step = budget.step / divisions.max(1) as f64;
                 let operations = budget.operations.of(scalar) / divisions.max(1) as f64;
                 let (mut tries, mut enough) = (0, 0);
-                for modes in &choices {
+                for (count, modes) in &choices {
                     // fewer modes where iterations made the step too dear, or where it was too long for them
-                    if modes.count() < enough || tries == TRIES {
+                    if *count < enough || tries == TRIES {
                         break;
                     }
                     let variant = match variants.entry(modes) {
@@ -150,7 +151,7 @@ fn choose(
                     let one = run(study, &reference, variant, configuration, divisions.max(1));
                     tries += 1;
                     if one.error.is_ok() && one.share(budget) <= 1.0 {
-                        enough = modes.count();
+                        enough = *count;
                     }
                     tried.push(one);
                 }
@@ -178,16 +179,19 @@ fn choose(
     }
 }
 
-/// So many modes and no fewer than `least`, those of most first: the first ones, and those that take part most where these are others.
-fn choices(most: usize, ranking: &[usize], least: usize) -> Vec<Modes> {
-    let counts = (least..=most).rev();
-    let both = counts.flat_map(|count| {
-        let (first, ranked) =
-            (Modes::first(count), Modes::listed(ranking.iter().copied().take(count).collect()));
-        let is_another = ranked != first;
-        std::iter::once(first).chain(is_another.then_some(ranked))
-    });
-    both.collect()
+/// So many modes of all bodies together and no fewer than `least`, those of most first: the first ones of every body, and those
+/// that take part most where these are others.
+fn choices(ranking: &Ranking, least: usize) -> Vec<(usize, SceneModes)> {
+    let most = ranking.bodies().iter().map(|(_, available)| *available).max().unwrap_or(0);
+    let first = (0..=most).rev().map(SceneModes::first);
+    let ranked = (0..=ranking.len()).rev().map(|count| ranking.choice(count));
+    let mut all: Vec<(usize, SceneModes)> =
+        first.chain(ranked).map(|modes| (ranking.count(&modes), modes)).collect();
+    all.retain(|(count, _)| *count >= least);
+    all.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    let mut seen = std::collections::BTreeSet::new();
+    all.retain(|(_, modes)| seen.insert(modes.clone()));
+    all
 }
 
 /// Whether a step has time for a model and is stable with it.
