@@ -214,6 +214,18 @@ const _: () = {
         ],
     }];
     static SHARED: [places::SharedPlace; 0usize] = [];
+    static BRANCHES: [places::Branch; 1usize] = [places::Branch {
+        body: 0usize,
+        joint: ::core::option::Option::Some(0usize),
+        is_second: true,
+        parent: ::core::option::Option::None,
+        freedom: 0usize,
+        freedoms: 1usize,
+    }];
+    #[doc = r" Whether bodies have so few modes that a sweep over them costs less than the equations of all joints."]
+    const SWEEPS: bool =
+        places::sweeps(&[::core::mem::size_of::<<Beam as ::ffrf::FlexibleBody<f64>>::Modal>()
+            / ::core::mem::size_of::<f64>()]);
     use ::ffrf::generated_support::mechanism as support;
     impl ::ffrf::mechanism::Ports<f64> for PendulumPorts<'_> {
         fn port(&self, index: usize) -> ::core::option::Option<&dyn ::ffrf::mechanism::Port<f64>> {
@@ -278,34 +290,53 @@ const _: () = {
         }
         fn with_storage<R>(
             &self,
-            soft: bool,
+            equations: ::ffrf::mechanism::Equations,
             use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, f64>) -> R,
         ) -> R {
-            use_it(&mut ::ffrf::mechanism::Storage {
-                blocks: &mut support::absent::<_, 3usize>(),
-                solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
-                right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
-                shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
-                efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
-                joints: &mut support::absent::<_, 1usize>(),
-                soft_markers: &mut [[0; 2]; 0usize],
-            })
+            match equations {
+                places::Equations::Tree => use_it(&mut ::ffrf::mechanism::Storage {
+                    blocks: &mut support::absent::<_, 0>(),
+                    solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                    right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                    shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 0],
+                    efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
+                    joints: &mut support::absent::<_, 1usize>(),
+                    soft_markers: &mut [[0; 2]; 0usize],
+                    limbs: &mut support::absent::<_, { if SWEEPS { 1usize } else { 0 } }>(),
+                    freedoms: &mut support::absent::<_, { if SWEEPS { 1usize } else { 0 } }>(),
+                }),
+                _ => use_it(&mut ::ffrf::mechanism::Storage {
+                    blocks: &mut support::absent::<_, 3usize>(),
+                    solution: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                    right: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                    shift: &mut [[::ffrf::generated_support::constant::<f64>(0.0); 6]; 2usize],
+                    efforts: &mut [::ffrf::generated_support::constant::<f64>(0.0); 0usize],
+                    joints: &mut support::absent::<_, 1usize>(),
+                    soft_markers: &mut [[0; 2]; 0usize],
+                    limbs: &mut support::absent::<_, 0>(),
+                    freedoms: &mut support::absent::<_, 0>(),
+                }),
+            }
         }
         fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
             places::Plan {
-                elimination: places::Elimination {
-                    steps: &STEPS,
-                    leading: 1usize,
-                    couplings: &COUPLINGS,
-                    targets: &TARGETS,
-                    of_instant: true,
-                },
-                bodies: &BODIES,
-                joints: &JOINTS,
-                shared: &SHARED,
-                modes: &[],
-                modal_ends: &[],
-                modal_pairs: &[],
+                branches: if SWEEPS { BRANCHES.as_slice() } else { &[] },
+                ..places::Plan {
+                    elimination: places::Elimination {
+                        steps: &STEPS,
+                        leading: 1usize,
+                        couplings: &COUPLINGS,
+                        targets: &TARGETS,
+                        of_instant: true,
+                    },
+                    bodies: &BODIES,
+                    joints: &JOINTS,
+                    shared: &SHARED,
+                    modes: &[],
+                    modal_ends: &[],
+                    modal_pairs: &[],
+                    branches: &[],
+                }
             }
         }
         fn connections(&self) -> &[::ffrf::mechanism::Connection<f64>] {

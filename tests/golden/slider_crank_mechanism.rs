@@ -1095,6 +1095,7 @@ const _: () = {
             modes: &[],
             modal_ends: &[],
             modal_pairs: &[],
+            branches: &[],
         }
     }
     use ::ffrf::generated_support::mechanism as support;
@@ -1248,11 +1249,11 @@ const _: () = {
         }
         fn with_storage<R>(
             &self,
-            soft: bool,
+            equations: ::ffrf::mechanism::Equations,
             use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, T>) -> R,
         ) -> R {
-            if soft {
-                use_it(&mut ::ffrf::mechanism::Storage {
+            match equations {
+                places::Equations::SoftRows => use_it(&mut ::ffrf::mechanism::Storage {
                     blocks: &mut support::absent::<_, 40usize>(),
                     solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
                     right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 15usize],
@@ -1260,9 +1261,10 @@ const _: () = {
                     efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
                     joints: &mut support::absent::<_, 9usize>(),
                     soft_markers: &mut [[0; 2]; 1usize],
-                })
-            } else {
-                use_it(&mut ::ffrf::mechanism::Storage {
+                    limbs: &mut support::absent::<_, 0>(),
+                    freedoms: &mut support::absent::<_, 0>(),
+                }),
+                _ => use_it(&mut ::ffrf::mechanism::Storage {
                     blocks: &mut support::absent::<_, 33usize>(),
                     solution: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
                     right: &mut [[::ffrf::generated_support::constant::<T>(0.0); 6]; 14usize],
@@ -1270,7 +1272,9 @@ const _: () = {
                     efforts: &mut [::ffrf::generated_support::constant::<T>(0.0); 0usize],
                     joints: &mut support::absent::<_, 8usize>(),
                     soft_markers: &mut [[0; 2]; 0usize],
-                })
+                    limbs: &mut support::absent::<_, 0>(),
+                    freedoms: &mut support::absent::<_, 0>(),
+                }),
             }
         }
         fn plan(&self) -> ::ffrf::mechanism::Plan<'_> {
@@ -1288,6 +1292,7 @@ const _: () = {
                 modes: &[],
                 modal_ends: &[],
                 modal_pairs: &[],
+                branches: &[],
             }
         }
         fn connections(&self) -> &[::ffrf::mechanism::Connection<T>] {

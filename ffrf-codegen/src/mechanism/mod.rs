@@ -1,5 +1,6 @@
 //! Mechanisms: in which order their equations are solved, where every number of them stands, and what one is as a whole.
 
+mod branches;
 mod composition;
 mod elimination_order;
 mod known_force;
@@ -8,6 +9,7 @@ mod model;
 mod places;
 mod topology;
 
+pub use branches::BranchPlace;
 pub use composition::{CompositionModel, ElementRule, JointRule, ParameterModel, ParameterPlace};
 pub use known_force::soft_row_count;
 pub use known_joint::{KNOWN_JOINTS, KnownJoint};

@@ -56,6 +56,10 @@ impl<T: RealField + Copy> ModalVector<T> for HostModal<T> {
         matrix.get((row, column)).copied()
     }
 
+    fn entries_mut(matrix: &mut Self::Matrix) -> &mut [T] {
+        matrix.as_mut_slice()
+    }
+
     fn diagonal_matrix(&self) -> Self::Matrix {
         DMatrix::from_diagonal(&self.0)
     }

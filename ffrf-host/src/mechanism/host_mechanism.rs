@@ -2,8 +2,8 @@
 
 use ffrf_codegen::mechanism::{JointTopology, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Assembly, AttachedRows, BodyPort, Connection, Energy, ImplicitTerms, JointFriction, KeptModes, Level,
-    Momentum, Plan, Port, Regularisation, SoftLink, Storage, Treatment,
+    Assembly, AttachedRows, BodyPort, Connection, Energy, Equations, ImplicitTerms, JointFriction, KeptModes,
+    Level, Momentum, Plan, Port, Regularisation, SoftLink, Storage, Treatment,
 };
 use ffrf_runtime::{
     FlexibleBody, Forcing, Increment, LocalError, Marker, ModalVector, Oscillators, State, Tolerances,
@@ -70,7 +70,7 @@ impl HostMechanism {
             joints: joints.iter().map(|(joint, _)| shape(joint)).collect(),
         };
         let (keeping, kept) = keeping(&topology, &modes);
-        let plan = OwnedPlan::of(&topology, &keeping, &kept)?;
+        let plan = OwnedPlan::of(&topology, &keeping, &kept)?.swept(&topology, &modes);
         // redundant rows need loops, which a drive beside its joint does not close
         let undriven = joints.iter().filter(|(_, drive)| drive.is_none());
         let undriven = Topology { flexible, joints: undriven.map(|(joint, _)| shape(joint)).collect() };
@@ -173,9 +173,10 @@ impl<T: RealField + Copy> HostMechanism<T> {
         // soft rows too are many on a hub: one choice for steps with them and without
         let modes: Vec<usize> = self.bodies.iter().map(HostBody::mode_count).collect();
         let (keeping, kept) = keeping(&whole, &modes);
-        self.plan = OwnedPlan::of(&self.topology, &keeping, &kept).unwrap_or(self.plan);
-        let soft = OwnedPlan::of(&whole, &keeping, &kept).ok();
-        self.soft = soft.filter(|_| !numbers.is_empty()).map(|plan| (plan, numbers));
+        let plan = OwnedPlan::of(&self.topology, &keeping, &kept).unwrap_or(self.plan);
+        self.plan = plan.swept(&self.topology, &modes);
+        let soft = OwnedPlan::of(&whole, &keeping, &kept).ok().filter(|_| !numbers.is_empty());
+        self.soft = soft.map(|plan| (plan, numbers));
         self.keeping = keeping;
         self
     }
@@ -344,21 +345,24 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
         ports.0.into_iter().map(|port| port.state).collect()
     }
 
-    fn with_storage<R>(&self, soft: bool, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
+    fn with_storage<R>(&self, equations: Equations, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
         let (plan, links) = match &self.soft {
-            Some((plan, elements)) if soft => (plan, elements.len()),
+            Some((plan, elements)) if equations == Equations::SoftRows => (plan, elements.len()),
             _ => (&self.plan, 0),
         };
-        let joints = self.connections.len() + links;
+        let is_tree = equations == Equations::Tree;
+        let [blocks, limbs, freedoms] = if is_tree { plan.tree_counts() } else { [plan.block_count, 0, 0] };
         let unknowns = || vec![[T::zero(); 6]; plan.node_count];
         use_it(&mut Storage {
-            blocks: &mut vec![None; plan.block_count],
+            blocks: &mut vec![None; blocks],
             solution: &mut unknowns(),
             right: &mut unknowns(),
-            shift: &mut unknowns(),
+            shift: &mut if is_tree { Vec::new() } else { unknowns() },
             efforts: &mut vec![T::zero(); self.frictions.len()],
-            joints: &mut vec![None; joints],
+            joints: &mut vec![None; self.connections.len() + links],
             soft_markers: &mut vec![[0; 2]; links],
+            limbs: &mut vec![None; limbs],
+            freedoms: &mut vec![None; freedoms],
         })
     }
 

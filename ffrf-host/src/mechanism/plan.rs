@@ -1,9 +1,9 @@
 //! The generator's plan of a mechanism in the runtime's types.
 
-use ffrf_codegen::mechanism::{BlockPlace, MechanismPlan, Topology, TopologyError};
+use ffrf_codegen::mechanism::{BlockPlace, BranchPlace, MechanismPlan, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Block, BodyPlace, Coupling, Elimination, EndPlace, JointPlace, ModalEndPlace, ModalPairPlace, ModesPlace,
-    Plan, PlanLists, SharedPlace, Step, Unexpanded, keeps_modes,
+    Block, BodyPlace, Branch, Coupling, Elimination, EndPlace, JointPlace, ModalEndPlace, ModalPairPlace,
+    ModesPlace, Plan, PlanLists, SharedPlace, Step, Unexpanded, keeps_modes, sweeps,
 };
 
 /// The bodies that keep their modes as unknowns, and how many modes these have. `modes`: of each body.
@@ -31,6 +31,7 @@ pub(super) struct OwnedPlan {
     pub(super) block_count: usize,
     pub(super) node_count: usize,
     pub(super) attached_ends: Vec<usize>,
+    branches: Vec<Branch>,
 }
 
 impl OwnedPlan {
@@ -149,6 +150,7 @@ impl OwnedPlan {
             block_count: plan.block_count,
             node_count: plan.node_count,
             attached_ends: plan.attached_ends.clone(),
+            branches: Vec::new(),
         }
     }
 
@@ -181,6 +183,32 @@ impl OwnedPlan {
             modes: &self.modes,
             modal_ends: &self.modal_ends,
             modal_pairs: &self.modal_pairs,
+            branches: &self.branches,
         }
+    }
+
+    /// The plan with a sweep over the bodies where they are a tree. `modes`: of each body.
+    #[must_use]
+    pub(super) fn swept(mut self, topology: &Topology, modes: &[usize]) -> Self {
+        if sweeps(modes) {
+            self.branches = topology.branches().iter().map(branch).collect();
+        }
+        self
+    }
+
+    /// Number of blocks, branches and motions where a tree is swept over.
+    pub(super) fn tree_counts(&self) -> [usize; 3] {
+        [0, self.branches.len(), self.branches.iter().map(|branch| branch.freedoms).sum()]
+    }
+}
+
+fn branch(place: &BranchPlace) -> Branch {
+    Branch {
+        body: place.body,
+        joint: place.joint,
+        is_second: place.is_second,
+        parent: place.parent,
+        freedom: place.freedom,
+        freedoms: place.freedoms,
     }
 }

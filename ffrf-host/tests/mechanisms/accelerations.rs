@@ -6,7 +6,7 @@ use ffrf_runtime::{System, VectorSpace};
 use ffrf_test_kit::random::Random;
 
 use super::dense::{Evaluation, Saddle, Stage, evaluate, free_equations};
-use super::graphs::{Case, SHAPES, Shape, attachment, case, random_case};
+use super::graphs::{Case, SHAPES, Shape, attachment, case, random_case, random_case_of};
 use super::tolerances::{RESIDUAL, SOLVED, left_by_regularisation};
 
 /// Beyond this the system counts as singular: the random joints hold what cannot be held. See `redundant` for those.
@@ -73,6 +73,7 @@ fn every_case(mut check: impl FnMut(Shape, &Case)) {
         for count in COUNTS {
             for seed in 1..=SEEDS {
                 check(shape, &random_case(shape, count, 100 * seed + count as u64));
+                check(shape, &random_case_of(shape, &vec![0; count], 100 * seed + count as u64));
             }
         }
     }

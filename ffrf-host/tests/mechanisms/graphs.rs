@@ -78,6 +78,13 @@ pub const GRAVITY: Vector3<f64> = Vector3::new(1.0, -2.0, -9.0);
 
 /// A random mechanism of `count` bodies with up to five modes each, in a random state that meets no joint.
 pub fn random_case(shape: Shape, count: usize, seed: u64) -> Case {
+    let modes: Vec<usize> = (0..count).map(|k| (seed as usize + 3 * k) % 6).collect();
+    random_case_of(shape, &modes, seed)
+}
+
+/// A random mechanism of bodies with these numbers of modes, in a random state that meets no joint.
+pub fn random_case_of(shape: Shape, modes: &[usize], seed: u64) -> Case {
+    let count = modes.len();
     let mut random = Random::new(seed);
     let kinds = every_kind::<f64>();
     let plain: Vec<_> = kinds.iter().filter(|kind| !matches!(kind, JointKind::Generic(_))).copied().collect();
@@ -98,9 +105,8 @@ pub fn random_case(shape: Shape, count: usize, seed: u64) -> Case {
             (Connection { kind, first, second }, None)
         })
         .collect();
-    let modes: Vec<usize> = (0..count).map(|k| (seed as usize + 3 * k) % 6).collect();
-    let name = format!("{shape:?} of {count}, seed {seed}");
-    case(name, &modes, joints, seed, &mut random)
+    let name = format!("{shape:?} of {count}, modes {modes:?}, seed {seed}");
+    case(name, modes, joints, seed, &mut random)
 }
 
 /// A random triad on a body, or on the ground.

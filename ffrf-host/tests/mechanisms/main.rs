@@ -16,4 +16,5 @@ mod redundancy_report;
 mod redundant;
 mod rigid_mechanisms;
 mod tolerances;
+mod trees;
 mod witness;

@@ -1,6 +1,6 @@
 //! From what the user wrote to a mechanism that can be emitted; every mistake is reported.
 
-use ffrf_codegen::mechanism::{Hub, MechanismPlan, Topology, TopologyError};
+use ffrf_codegen::mechanism::{BranchPlace, Hub, MechanismPlan, Topology, TopologyError};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Ident;
@@ -37,6 +37,8 @@ pub(super) struct Spec {
     /// The plans with soft rows and their number of links, if there are any.
     pub(super) soft: Option<(Plans, usize)>,
     pub(super) has_loops: bool,
+    /// The bodies in the order of a sweep, if joints close no loop; else empty.
+    pub(super) branches: Vec<BranchPlace>,
 }
 
 /// The layouts of one mechanism: how many modes its bodies have, which decides between them, the macro does not know.
@@ -171,6 +173,7 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         plan,
         soft,
         has_loops,
+        branches: topology.branches(),
     })
 }
 

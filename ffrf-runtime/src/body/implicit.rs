@@ -47,12 +47,12 @@ impl<V: ModalVector<T>, T: RealField + Copy> ImplicitBody<V, T> {
     where
         B: FlexibleBody<T, Modal = V>,
     {
-        right(&self.prepared, body, state, force, self.gamma_h, subtracted)
+        implicit_right(&self.prepared, body, state, force, self.gamma_h, subtracted)
     }
 }
 
 /// See [`ImplicitBody::right`].
-fn right<B: FlexibleBody<T>, T: RealField + Copy>(
+pub(crate) fn implicit_right<B: FlexibleBody<T>, T: RealField + Copy>(
     prepared: &Prepared<B::Modal, T>,
     body: &B,
     state: &State<B::Modal, T>,
@@ -127,7 +127,7 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
     ) -> Option<Self> {
         let State { modal_coordinates, angular_velocity, modal_rates, .. } = state;
         let prepared = body.prepare(modal_coordinates, angular_velocity, modal_rates);
-        let right = right(&prepared, body, state, force, gamma_h, subtracted);
+        let right = implicit_right(&prepared, body, state, force, gamma_h, subtracted);
         let accelerations = prepared.eliminate(implicit_modal_mass(body, gamma_h).factor()?).solve(&right)?;
         Some(self.implicit_rate(state, accelerations, gamma_h, subtracted))
     }

@@ -114,6 +114,12 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
         }
     }
 
+    /// From the frame origin to the marker. Shape: 3. Units: m. Frame: body.
+    #[inline]
+    pub(crate) fn arm(&self) -> Vector3<T> {
+        self.arm
+    }
+
     /// Place, velocities and acceleration biases. Source: derivatives of p + A (x + Ψ q) and of the triad.
     pub fn motion(&self, state: &State<V, T>) -> MarkerMotion<T> {
         if state.modal_rates.as_slice().is_empty() {

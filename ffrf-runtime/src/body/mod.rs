@@ -50,7 +50,7 @@ pub use prepared::{Eliminated, Factored, Prepared};
 
 pub use bent_marker::bent;
 pub(crate) use bent_marker::{marker_motion, with_placed};
-pub(crate) use implicit::{ImplicitBody, implicit_modal_mass};
+pub(crate) use implicit::{ImplicitBody, implicit_modal_mass, implicit_right};
 pub use oscillator::Oscillators;
 pub use rigid_body::RigidBody;
 pub use section_marker::SectionMarker;

@@ -26,6 +26,8 @@ pub trait ModalVector<T: RealField + Copy>: Clone + PartialEq + fmt::Debug {
     fn combination(matrix: &Self::Matrix, factor: T, other: &Self::Matrix) -> Self::Matrix;
     /// One entry of a matrix; `None` beyond the modes.
     fn entry(matrix: &Self::Matrix, row: usize, column: usize) -> Option<T>;
+    /// The entries of a matrix, row after row. Shape: M x M.
+    fn entries_mut(matrix: &mut Self::Matrix) -> &mut [T];
     /// The matrix with these numbers on its diagonal. Shape: M x M.
     fn diagonal_matrix(&self) -> Self::Matrix;
     /// Factors of `matrix`, or `None` if it is not positive definite.
@@ -116,6 +118,12 @@ impl<const M: usize, T: RealField + Copy> ModalVector<T> for SVector<T, M> {
     #[inline(always)]
     fn entry(matrix: &Self::Matrix, row: usize, column: usize) -> Option<T> {
         matrix.get((row, column)).copied()
+    }
+
+    #[inline(always)]
+    fn entries_mut(matrix: &mut Self::Matrix) -> &mut [T] {
+        // column after column: it is symmetric
+        matrix.as_mut_slice()
     }
 
     #[inline(always)]

@@ -70,6 +70,17 @@ impl<T: RealField + Copy> JointKind<T> {
         matches!(self, Self::Fixed(_) | Self::Revolute(_) | Self::Spherical(_) | Self::Universal(_))
     }
 
+    /// How many of its rows, the first ones, hold translations: forces alone at its second end. The others are moments alone.
+    pub fn held_translations(&self) -> usize {
+        match self {
+            Self::Fixed(_) | Self::Revolute(_) | Self::Spherical(_) | Self::Universal(_) => 3,
+            Self::Cylindrical(_) | Self::InLine(_) | Self::Prismatic(_) => 2,
+            Self::Distance(_) | Self::InPlane(_) | Self::Planar(_) | Self::Travel(_) => 1,
+            Self::Angle(_) | Self::ConstantOrientation(_) => 0,
+            Self::Generic(Generic { translation, .. }) => translation.iter().filter(|held| **held).count(),
+        }
+    }
+
     /// What row `row` holds, for reports.
     pub fn row_name(&self, row: usize) -> &'static str {
         let names = match self {

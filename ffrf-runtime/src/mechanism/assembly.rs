@@ -3,8 +3,8 @@
 use nalgebra::RealField;
 
 use super::{
-    Connection, Energy, ImplicitTerms, JointFriction, Level, Momentum, Plan, Ports, Regularisation, SoftLink,
-    Storage, Target,
+    Connection, Energy, Equations, ImplicitTerms, JointFriction, Level, Momentum, Plan, Ports,
+    Regularisation, SoftLink, Storage, Target,
 };
 use crate::integrators::{Forcing, LocalError, Tolerances, VectorSpace};
 
@@ -76,8 +76,8 @@ pub trait Assembly<T: RealField + Copy> {
     fn correct(&self, ports: &mut Self::Ports<'_>, level: Level);
     /// The state of `ports`.
     fn state(&self, ports: Self::Ports<'_>) -> Self::State;
-    /// Numbers for one evaluation; with `soft`, for the rows of soft links too.
-    fn with_storage<R>(&self, soft: bool, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R;
+    /// Numbers for one evaluation by these equations.
+    fn with_storage<R>(&self, equations: Equations, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R;
 
     /// Where everything stands.
     fn plan(&self) -> Plan<'_>;

@@ -3,57 +3,39 @@
 use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
 use super::kept_modes::copy_from;
-use super::{AttachedRows, Keeping, Level, Phase, Port, RigidFrame};
+use super::solved::Solved;
+use super::{AttachedRows, ImplicitTerms, Keeping, Level, Phase, Port, RigidFrame};
 use crate::body::{
-    Eliminated, FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep,
-    ModalVector, Motion, Span, SpanMarker, State, Wrench, implicit_modal_mass, marker_motion, with_placed,
+    FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep, ModalVector,
+    Motion, Span, SpanMarker, State, Wrench, implicit_modal_mass, marker_motion, with_placed,
 };
 use crate::integrators::StepError;
 use crate::rotation::matrix;
 use crate::six::{Square, add_products, dot, scaled, six_times, subtract_scaled, zeros};
 
-/// What a linearly implicit stage adds to an evaluation.
-#[derive(Debug)]
-pub struct ImplicitTerms<'a, I, T> {
-    /// γ h. Units: s.
-    pub gamma_h: T,
-    /// What is subtracted from the rates.
-    pub subtracted: Option<&'a I>,
-    /// With soft rows: the increment that has led to the state, in whose chart the rates of all places see the end of the stage.
-    pub chart: Option<&'a I>,
-}
-
-impl<I, T: Copy> Clone for ImplicitTerms<'_, I, T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<I, T: Copy> Copy for ImplicitTerms<'_, I, T> {}
-
 /// One body in one state, with its forces and the rows of its joints; `R` holds as many [`AttachedRows`] as joints have ends
 /// there, `K` has room for modes that are [kept](Keeping).
 #[derive(Debug, Clone)]
 pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy, K = ()> {
-    body: &'a B,
-    markers: &'a [Marker<B::Modal, T>],
+    pub(super) body: &'a B,
+    pub(super) markers: &'a [Marker<B::Modal, T>],
     /// The state of this evaluation.
     pub state: State<B::Modal, T>,
     /// The axes of the body in this state as columns. Frame: inertial.
-    axes: Matrix3<T>,
+    pub(super) axes: Matrix3<T>,
     /// Force of loads and force elements so far.
     pub force: GeneralisedForce<B::Modal, T>,
     /// The result: accelerations, or a correction of place or velocities.
     pub motion: Motion<B::Modal, T>,
-    implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
-    rows: R,
-    eliminated: Option<Eliminated<B::Modal, T>>,
+    pub(super) implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
+    pub(super) rows: R,
+    pub(super) solved: Solved<B::Modal, T>,
     /// What the unknowns of a body without modes are; else the accelerations of its frame are unknown.
     frame: Option<RigidFrame<T>>,
     /// One over the diagonal of Z in its components; zero where that is not positive.
     yields: [T; 6],
-    net: GeneralisedForce<B::Modal, T>,
-    alone: B::Modal,
+    pub(super) net: GeneralisedForce<B::Modal, T>,
+    pub(super) alone: B::Modal,
     /// A step of the energy-momentum method, and what is shown of it.
     span: Option<(Span<B::Modal, T>, Phase)>,
     kept: K,
@@ -106,7 +88,7 @@ where
             motion: Motion::zeros(&zeros),
             implicit,
             rows,
-            eliminated: None,
+            solved: Solved::Nothing,
             frame: None,
             yields: [T::zero(); 6],
             net: GeneralisedForce::zeros(&zeros),
@@ -164,7 +146,7 @@ where
 
     /// Measures the factors that were made.
     fn measure(&mut self) -> Result<(), StepError> {
-        let eliminated = self.eliminated.as_ref().ok_or(StepError::MassNotPositive)?;
+        let eliminated = self.solved.eliminated().ok_or(StepError::MassNotPositive)?;
         let positive = |mass: T| if mass > T::zero() { T::one() / mass } else { T::zero() };
         if self.alone.as_slice().is_empty() {
             // the mean axes of a step of the energy-momentum method are none to resolve in
@@ -255,7 +237,7 @@ where
                 let gamma_h = span.step * nalgebra::convert(0.5);
                 kept.keep(&stage.prepared, implicit_modal_mass(self.body, gamma_h));
             }
-            self.eliminated = Some(stage.eliminated);
+            self.solved = Solved::Rows(stage.eliminated);
             return self.measure();
         }
         let (body, state) = (self.body, &self.state);
@@ -268,16 +250,17 @@ where
                     kept.keep(&prepared, body.modal_mass());
                 }
                 // made where it stays
-                self.eliminated = body.modal_mass().factor().map(|modal| prepared.eliminate(modal));
+                self.solved =
+                    Solved::of_rows(body.modal_mass().factor().map(|modal| prepared.eliminate(modal)));
             }
             Some(ImplicitTerms { gamma_h, subtracted, .. }) => {
-                self.eliminated = ImplicitBody::new(body, state, gamma_h).map(|stage| {
+                self.solved = Solved::of_rows(ImplicitBody::new(body, state, gamma_h).map(|stage| {
                     self.net = stage.right(body, state, &self.force, subtracted);
                     if let Some(kept) = self.kept.kept_mut() {
                         kept.keep(&stage.prepared, implicit_modal_mass(body, gamma_h));
                     }
                     stage.eliminated
-                });
+                }));
             }
         }
         self.measure()
@@ -285,8 +268,11 @@ where
 
     #[cold]
     fn indefinite(&self) -> Option<T> {
-        let eliminated = self.eliminated.clone();
-        eliminated.and_then(Eliminated::factor).is_none().then(|| self.state.modal_coordinates.largest())
+        let eliminated = self.solved.eliminated().cloned();
+        eliminated
+            .and_then(|eliminated| eliminated.factor())
+            .is_none()
+            .then(|| self.state.modal_coordinates.largest())
     }
 
     fn rigid_mass(&self, to: &mut Square<T>) {
@@ -294,7 +280,7 @@ where
             *to = kept.rigid_mass();
             return;
         }
-        match (&self.frame, &self.eliminated) {
+        match (&self.frame, self.solved.eliminated()) {
             (Some(frame), _) => six_times!(K: { to[K][K] = frame.masses()[K]; }),
             (None, Some(eliminated)) => *to = eliminated.remaining.data.0,
             (None, None) => *to = zeros(),
@@ -346,7 +332,9 @@ where
         effects: &mut Square<T>,
         compliances: Option<&mut [T; 6]>,
     ) {
-        let (Some(place), Some(eliminated)) = (self.markers.get(marker), &self.eliminated) else { return };
+        let (Some(place), Some(eliminated)) = (self.markers.get(marker), self.solved.eliminated()) else {
+            return;
+        };
         let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else { return };
         *count = rows;
         if let Some(frame) = &self.frame {
@@ -427,7 +415,7 @@ where
             let (force, moment) = (&self.net.force, &self.net.moment);
             return [force.x, force.y, force.z, moment.x, moment.y, moment.z];
         }
-        let Some(eliminated) = &self.eliminated else { return [T::zero(); 6] };
+        let Some(eliminated) = self.solved.eliminated() else { return [T::zero(); 6] };
         self.alone = eliminated.modal.solve(&self.net.modal);
         let force = eliminated.reduced_force(&self.net).into();
         self.frame.as_ref().map_or(force, |frame| frame.force(force))
@@ -476,7 +464,7 @@ where
             (self.motion.linear, self.motion.angular) = (Vector3::new(x, y, z), Vector3::new(r_x, r_y, r_z));
             return;
         }
-        if let Some(eliminated) = &self.eliminated {
+        if let Some(eliminated) = self.solved.eliminated() {
             let rigid = self.frame.as_ref().map_or(*rigid, |frame| frame.motion(rigid));
             self.motion = eliminated.with_modes(&Vector6::from(rigid), self.alone.clone());
         }

@@ -2,7 +2,9 @@
 
 use nalgebra::RealField;
 
-use super::{Assembly, Constraints, ImplicitTerms, Level, Phase, Ports, Storage, Target, Treatment};
+use super::{
+    Assembly, Constraints, Equations, ImplicitTerms, Level, Phase, Plan, Ports, Storage, Target, Treatment,
+};
 use crate::integrators::{
     ConservingSystem, Correction, Drift, ExponentialSystem, Forcing, ImplicitSystem, LocalError, StepError,
     StiffSystem, System, Tolerances, displaced, elastic_at_rest,
@@ -16,15 +18,26 @@ const ENOUGH: f64 = 1e-6;
 #[derive(Debug, Clone, Copy)]
 pub struct Constrained<'a, A>(pub &'a A);
 
+/// Which equations a mechanism has with its soft links, or without.
+#[inline(always)]
+fn equations<A: Assembly<T>, T: RealField + Copy>(assembly: &A, soft: bool) -> Equations {
+    if soft { Equations::SoftRows } else { assembly.plan().equations() }
+}
+
 /// The joints of a mechanism on its bodies in one state.
 fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
     assembly: &'a A,
     ports: &'a mut A::Ports<'_>,
     storage: &'a mut Storage<'s, T>,
-    soft: bool,
+    equations: Equations,
 ) -> Constraints<'a, 's, T> {
+    let plan = match equations {
+        Equations::SoftRows => Plan { branches: &[], ..assembly.soft_plan() },
+        Equations::Tree => assembly.plan(),
+        Equations::Rows => Plan { branches: &[], ..assembly.plan() },
+    };
     Constraints {
-        plan: if soft { assembly.soft_plan() } else { assembly.plan() },
+        plan,
         connections: assembly.connections(),
         ports,
         storage,
@@ -71,8 +84,9 @@ impl<A> Constrained<'_, A> {
         let soft = implicit.filter(|terms| terms.chart.is_some()).map(|terms| terms.gamma_h);
         let mut ports = assembly.ports(state, implicit);
         assembly.load(time, &mut ports);
-        assembly.with_storage(soft.is_some(), |storage| {
-            let mut constraints = constraints(assembly, &mut ports, storage, soft.is_some());
+        let equations = equations(assembly, soft.is_some());
+        assembly.with_storage(equations, |storage| {
+            let mut constraints = constraints(assembly, &mut ports, storage, equations);
             constraints.evaluate(&|joint| assembly.drive(joint, time));
             if let Some(gamma_h) = soft {
                 constraints.soften(assembly, gamma_h);
@@ -147,9 +161,10 @@ impl<A> Constrained<'_, A> {
         }
         let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None, chart: None });
         let mut ports = assembly.ports(state, implicit);
-        let drift = assembly.with_storage(with_soft, |storage| {
+        let equations = equations(assembly, with_soft);
+        let drift = assembly.with_storage(equations, |storage| {
             let drive = |joint| assembly.drive(joint, time);
-            let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
+            let mut evaluated = constraints(assembly, &mut ports, storage, equations);
             evaluated.evaluate(&drive);
             let mut left = evaluated.residuals();
             let drift = Drift { position: left.0[0], velocity: left.0[1] };
@@ -162,7 +177,7 @@ impl<A> Constrained<'_, A> {
                     if left.0[index] <= enough {
                         break;
                     }
-                    let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations);
                     if !factored {
                         if let Some(gamma_h) = soft {
                             evaluated.soften(assembly, gamma_h);
@@ -172,7 +187,7 @@ impl<A> Constrained<'_, A> {
                     }
                     evaluated.correct(level);
                     assembly.correct(&mut ports, level);
-                    let mut evaluated = constraints(assembly, &mut ports, storage, with_soft);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations);
                     match level {
                         Level::Position => evaluated.evaluate(&drive),
                         Level::Velocity => evaluated.follow_velocities(),
@@ -327,7 +342,8 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
         self.solve(time, state, implicit, target, None, |ports, storage| {
             let accelerations = assembly.velocities_only(&assembly.collect(ports, increment));
             let places = matches!(treatment, Treatment::StabilisedIndex2).then(|| {
-                let mut constraints = constraints(assembly, ports, storage, chart.is_some());
+                let mut constraints =
+                    constraints(assembly, ports, storage, equations(assembly, chart.is_some()));
                 constraints.correct(Level::Position);
                 let moved = assembly.velocities_only(&assembly.collect(ports, increment));
                 displaced(self, origin, &moved)
@@ -358,7 +374,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
         let assembly = self.0;
         let half = step * nalgebra::convert(0.5);
         let mut ports = self.in_step(begin, velocities, step);
-        assembly.with_storage(false, |storage| {
+        assembly.with_storage(Equations::Rows, |storage| {
             for phase in [Phase::End, Phase::Mean] {
                 for index in 0..assembly.plan().bodies.len() {
                     if let Some(port) = ports.port_mut(index) {
@@ -368,7 +384,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
                 if phase == Phase::Mean {
                     assembly.load(time + half, &mut ports);
                 }
-                let mut constraints = constraints(assembly, &mut ports, storage, false);
+                let mut constraints = constraints(assembly, &mut ports, storage, Equations::Rows);
                 constraints.plan.elimination.of_instant = false;
                 let moment = if phase == Phase::End { step } else { half };
                 constraints.evaluate(&|joint| assembly.drive(joint, time + moment));

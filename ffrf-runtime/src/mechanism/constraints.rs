@@ -3,67 +3,11 @@
 use nalgebra::RealField;
 
 use super::soft_rows::{attach_soft_rows, pull_soft_rows};
-use super::{Connection, EvaluatedJoint, Plan, Ports};
+use super::{Connection, EvaluatedJoint, Freedom, Limb, Plan, Ports, Regularisation};
 use crate::integrators::StepError;
 use crate::joints::Joint;
 use crate::relations::add_powers;
-use crate::six::{self, add, add_products, add_scaled, block_at, products, scaled, six_times, transpose};
-
-/// How redundant rows are dealt with: the proximal method, exact for consistent redundant rows, reactions of least norm.
-///
-/// The factored matrix has μ subtracted from the diagonal of the rows, and a bounded number of refinements takes its effect
-/// out again: what it makes the rows leave over, μ times the last correction of their multipliers, is solved for anew,
-/// until the next correction would be lost in round-off. Source: Carpentier, Budhiraja, Mansard, Proximal and sparse resolution of constrained dynamic equations,
-/// RSS 2021.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Regularisation<T = f64> {
-    /// μ relative to the compliance that each row meets. Units: 1.
-    pub share: T,
-    /// Most refinements.
-    pub refinements: usize,
-}
-
-/// The share of a residual that μ may leave in one correction, times the condition number of the rows.
-const NEGLIGIBLE: f64 = 1e-8;
-
-impl<T: RealField + Copy> Regularisation<T> {
-    /// For mechanisms whose joints close loops: 1e-9 and two refinements in double precision, 1e-3 and three in single.
-    ///
-    /// Measured on a four-bar linkage that passes its singular position: these equal an exact solution there.
-    pub fn of_loops() -> Self {
-        let share = if T::default_epsilon() < nalgebra::convert(1e-10) { 1e-9 } else { 1e-3 };
-        let refinements = if share < 1e-6 { 2 } else { 3 };
-        Self { share: nalgebra::convert(share), refinements }
-    }
-
-    /// Whether the next refinement would change multipliers by less than round-off of the system does.
-    ///
-    /// With the condition number κ a refinement changes its part of the last change by μ κ at most: when that was ε / μ of
-    /// the whole, ε κ is left. Measured by Σ μ λ², in which forces and moments have one unit.
-    fn is_met(&self, shift: &[[T; 6]], solution: &[[T; 6]], change: &[[T; 6]]) -> bool {
-        let squares = |numbers: &[[T; 6]]| {
-            let mut sum = [T::zero(); 6];
-            for (shift, numbers) in shift.iter().zip(numbers) {
-                add_products(&mut sum, &products(shift, numbers), numbers);
-            }
-            six::sum(&sum)
-        };
-        let share = T::default_epsilon() / self.share;
-        squares(change) <= share * share * squares(solution)
-    }
-
-    /// Refinements of corrections of places and velocities, which are repeated until their residuals are small: none, unless
-    /// μ leaves more than digits that a correction does not have.
-    fn refinements_of_corrections(&self) -> usize {
-        let negligible: T = nalgebra::convert(NEGLIGIBLE);
-        if self.share > negligible { self.refinements } else { 0 }
-    }
-
-    /// For trees, whose rows are never redundant: nothing is added, nothing to refine.
-    pub fn of_trees() -> Self {
-        Self { share: T::zero(), refinements: 0 }
-    }
-}
+use crate::six::{add, add_scaled, block_at, products, scaled, six_times, transpose};
 
 /// The numbers of one evaluation of a mechanism; sizes as its plan says.
 #[derive(Debug)]
@@ -82,6 +26,10 @@ pub struct Storage<'a, T: RealField + Copy> {
     pub efforts: &'a mut [T],
     /// The markers at both ends of each soft link; none in explicit evaluations.
     pub soft_markers: &'a mut [[usize; 2]],
+    /// Each branch of a tree, none before it is factored.
+    pub limbs: &'a mut [Option<Limb<T>>],
+    /// The motions of all branches, likewise.
+    pub freedoms: &'a mut [Option<Freedom<T>>],
 }
 
 impl<T: RealField + Copy> Storage<'_, T> {
@@ -153,6 +101,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     ///
     /// Errors: a body or the system has no factors.
     pub fn factor(&mut self) -> Result<(), StepError> {
+        if self.is_tree() {
+            return self.factor_tree();
+        }
         let share = self.regularisation.share;
         let Storage { blocks, shift: shifts, joints: evaluated, soft_markers, .. } = &mut *self.storage;
         for block in blocks.iter_mut() {
@@ -217,7 +168,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
 
     /// Why there are no factors: the first body that has none of its own.
     #[cold]
-    fn blame(&self) -> StepError {
+    pub(super) fn blame(&self) -> StepError {
         let amplitude = |body| self.ports.port(body)?.indefinite();
         let found = (0..self.plan.bodies.len()).find_map(|body| Some((body, amplitude(body)?)));
         found.map_or(StepError::MassNotPositive, |(body, amplitude)| StepError::BodyNotPositive {
@@ -261,17 +212,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     ///
     /// With accelerations subtracted (see [`ImplicitTerms`](super::ImplicitTerms)), what is found is their correction.
     pub fn accelerate(&mut self, target: Target<T>) {
-        for (index, place) in self.plan.bodies.iter().enumerate() {
-            let Some(port) = self.ports.port_mut(index) else { continue };
-            if let Some(right) = self.storage.right.get_mut(place.node) {
-                *right = port.reduced_force();
-            }
-        }
-        for place in self.plan.modes {
-            let Some(port) = self.ports.port(place.body) else { continue };
-            if let Some(right) = self.storage.right.get_mut(place.node) {
-                *right = port.modal_force(place.first);
-            }
+        let is_tree = self.is_tree();
+        if !is_tree {
+            self.take_forces();
         }
         let joints = self.plan.joints.iter().zip(self.connections);
         for ((place, connection), joint) in joints.zip(self.storage.joints.iter()) {
@@ -295,7 +238,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             {
                 let Some(end) = end else { continue };
                 let Some(port) = self.ports.port(end.body) else { continue };
-                port.subtract_modal_accelerations(end.slot, &mut wanted);
+                if !is_tree {
+                    port.subtract_modal_accelerations(end.slot, &mut wanted);
+                }
                 if !matches!(target, Target::Acceleration { .. }) {
                     continue;
                 }
@@ -305,12 +250,32 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             }
             *right = wanted;
         }
+        if is_tree {
+            self.solve_tree(true);
+            return;
+        }
         let hard = self.connections.len();
         let Storage { joints, soft_markers, right, .. } = &mut *self.storage;
         if let (Some(places @ [_, ..]), Some(links)) = (self.plan.joints.get(hard..), joints.get(hard..)) {
             pull_soft_rows(places, links, soft_markers, self.ports, right);
         }
         self.solve(self.regularisation.refinements);
+    }
+
+    /// Takes the forces on bodies as right-hand sides.
+    fn take_forces(&mut self) {
+        for (index, place) in self.plan.bodies.iter().enumerate() {
+            let Some(port) = self.ports.port_mut(index) else { continue };
+            if let Some(right) = self.storage.right.get_mut(place.node) {
+                *right = port.reduced_force();
+            }
+        }
+        for place in self.plan.modes {
+            let Some(port) = self.ports.port(place.body) else { continue };
+            if let Some(right) = self.storage.right.get_mut(place.node) {
+                *right = port.modal_force(place.first);
+            }
+        }
     }
 
     /// Stores what takes the residuals of positions away as they are now, for rows that are evaluated anew before
@@ -350,7 +315,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 Level::Velocity => scaled(-T::one(), &rows.velocities(ends)),
             };
         }
-        self.solve(self.regularisation.refinements_of_corrections());
+        if self.is_tree() {
+            self.solve_tree(false);
+        } else {
+            self.solve(self.regularisation.refinements_of_corrections());
+        }
     }
 
     fn solve(&mut self, refinements: usize) {

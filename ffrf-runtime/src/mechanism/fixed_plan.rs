@@ -95,6 +95,7 @@ impl<
             modes: &self.modes,
             modal_ends: &self.modal_ends,
             modal_pairs: &self.modal_pairs,
+            branches: &[],
         }
     }
 }

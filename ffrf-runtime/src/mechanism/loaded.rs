@@ -3,8 +3,8 @@
 use nalgebra::RealField;
 
 use super::{
-    Assembly, Connection, Energy, ImplicitTerms, JointFriction, Level, Momentum, Plan, Regularisation,
-    SoftLink, Storage, Treatment,
+    Assembly, Connection, Energy, Equations, ImplicitTerms, JointFriction, Level, Momentum, Plan,
+    Regularisation, SoftLink, Storage, Treatment,
 };
 use crate::integrators::{Forcing, LocalError, Tolerances};
 
@@ -75,8 +75,8 @@ where
         self.assembly.state(ports)
     }
 
-    fn with_storage<R>(&self, soft: bool, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
-        self.assembly.with_storage(soft, use_it)
+    fn with_storage<R>(&self, equations: Equations, use_it: impl FnOnce(&mut Storage<'_, T>) -> R) -> R {
+        self.assembly.with_storage(equations, use_it)
     }
 
     fn plan(&self) -> Plan<'_> {

@@ -1,6 +1,6 @@
 //! Where everything of a mechanism stands in its system of equations, decided when it is composed.
 
-use super::Elimination;
+use super::{Branch, Elimination};
 
 /// The frame of one body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,6 +98,17 @@ pub struct ModalPairPlace {
     pub block: usize,
 }
 
+/// Which equations an evaluation solves, and has room for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Equations {
+    /// Those of all bodies and joints.
+    Rows,
+    /// Those of all bodies, joints and soft links.
+    SoftRows,
+    /// Those of each branch of a tree.
+    Tree,
+}
+
 /// The places of a mechanism.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan<'a> {
@@ -115,4 +126,14 @@ pub struct Plan<'a> {
     pub modal_ends: &'a [ModalEndPlace],
     /// These modes among each other, where a body has more of them than a node.
     pub modal_pairs: &'a [ModalPairPlace],
+    /// The bodies from the roots to the leaves if joints close no loop and are swept over; else empty.
+    pub branches: &'a [Branch],
+}
+
+impl Plan<'_> {
+    /// Which equations are solved where rows are those of one instant.
+    #[inline(always)]
+    pub(super) fn equations(&self) -> Equations {
+        if self.branches.is_empty() { Equations::Rows } else { Equations::Tree }
+    }
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
+use super::TreePort;
 use crate::body::{MarkerMotion, MarkerStep, Wrench};
 use crate::integrators::StepError;
 
@@ -15,7 +16,7 @@ pub enum Phase {
 }
 
 /// One body in one state, prepared for joints. An object: joints, forces and sensors are compiled once for all bodies.
-pub trait Port<T: RealField + Copy> {
+pub trait Port<T: RealField + Copy>: TreePort<T> {
     /// Place and motion of a marker.
     fn marker_motion(&self, marker: usize) -> MarkerMotion<T>;
     /// A marker over a step of the energy-momentum method; `None` outside of those.

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
+use super::branches::{Branches, branches};
 use super::forces::{forces, friction_count};
 use super::plan::{Layout, hubs, layout};
 use super::{Names, hubs_of, markers_of, slice, slice_mut};
@@ -17,6 +18,8 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
     let hard = layout(&spec.plan, "");
     let mut constants = hubs(spec);
     constants.extend(hard.constants.clone());
+    let tree = branches(spec);
+    constants.extend(tree.iter().map(|tree| tree.constants.clone()));
     let soft_storage = spec.soft.as_ref().map(|(soft, links)| {
         let soft = layout(soft, "SOFT_");
         let (of_soft, expression) = (&soft.constants, &soft.plan);
@@ -26,19 +29,25 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 #expression
             }
         });
-        storage(spec, &soft, *links)
+        storage(spec, &soft, *links, None)
     });
-    let only_hard = storage(spec, &hard, 0);
-    let plan_expression = &hard.plan;
-    let storage = match soft_storage {
-        None => only_hard,
-        Some(with_soft) => quote! {
-            if soft {
-                #with_soft
-            } else {
-                #only_hard
-            }
-        },
+    let only_hard = storage(spec, &hard, 0, None);
+    let of_rows = &hard.plan;
+    let plan_expression = match &tree {
+        None => of_rows.clone(),
+        Some(Branches { list, .. }) => quote! { places::Plan { branches: #list, ..#of_rows } },
+    };
+    let soft_storage = soft_storage.map(|storage| quote! { places::Equations::SoftRows => #storage, });
+    let of_tree = tree.as_ref().map(|tree| {
+        let storage = storage(spec, &hard, 0, Some(tree));
+        quote! { places::Equations::Tree => #storage, }
+    });
+    let storage = quote! {
+        match equations {
+            #soft_storage
+            #of_tree
+            _ => #only_hard,
+        }
     };
     let of_ports = ports_of(ports, spec);
     let lifetime_and_type = match spec.scalar {
@@ -186,7 +195,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
 
                 fn with_storage<R>(
                     &self,
-                    soft: bool,
+                    equations: ::ffrf::mechanism::Equations,
                     use_it: impl FnOnce(&mut ::ffrf::mechanism::Storage<'_, #t>) -> R,
                 ) -> R {
                     #storage
@@ -303,20 +312,26 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
 }
 
 /// The call of `use_it` with the numbers of a plan.
-fn storage(spec: &Spec, layout: &Layout, links: usize) -> TokenStream {
+fn storage(spec: &Spec, layout: &Layout, links: usize, tree: Option<&Branches>) -> TokenStream {
     let t = spec.scalar.name();
     let zero = quote! { ::ffrf::generated_support::constant::<#t>(0.0) };
     let (blocks, nodes, frictions) = (&layout.blocks, &layout.nodes, friction_count(spec));
     let all = spec.connections + links;
+    let (blocks, shifts, [limbs, freedoms]) = match tree {
+        None => (blocks, nodes, &[quote! { 0 }, quote! { 0 }]),
+        Some(tree) => (&quote! { 0 }, &quote! { 0 }, &tree.counts),
+    };
     quote! {
         use_it(&mut ::ffrf::mechanism::Storage {
             blocks: &mut support::absent::<_, #blocks>(),
             solution: &mut [[#zero; 6]; #nodes],
             right: &mut [[#zero; 6]; #nodes],
-            shift: &mut [[#zero; 6]; #nodes],
+            shift: &mut [[#zero; 6]; #shifts],
             efforts: &mut [#zero; #frictions],
             joints: &mut support::absent::<_, #all>(),
             soft_markers: &mut [[0; 2]; #links],
+            limbs: &mut support::absent::<_, #limbs>(),
+            freedoms: &mut support::absent::<_, #freedoms>(),
         })
     }
 }

@@ -1,6 +1,7 @@
 //! The code of a mechanism: its model, its states, and what integrators need of it.
 
 mod assembly;
+mod branches;
 mod forces;
 mod model;
 mod plan;

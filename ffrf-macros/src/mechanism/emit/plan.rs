@@ -193,6 +193,7 @@ fn plan(plan: &MechanismPlan, prefix: &str, keyword: &TokenStream) -> (TokenStre
             modes: &#all_modes,
             modal_ends: &#all_modal_ends,
             modal_pairs: &[],
+            branches: &[],
         }
     };
     (constants, expression)
