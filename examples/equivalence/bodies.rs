@@ -40,6 +40,7 @@ pub fn three_bars() -> Result<FeModel, Box<dyn Error>> {
         fixed_dofs: Vec::new(),
         elements: Vec::new(),
         materials: Vec::new(),
+        element_materials: Vec::new(),
         sources: Vec::new(),
         notes: Vec::new(),
     })

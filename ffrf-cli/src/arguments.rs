@@ -6,6 +6,7 @@ mod convert;
 mod export;
 mod interfaces;
 mod linearise;
+mod material;
 mod sections;
 mod simulate;
 mod stiffening;
@@ -15,8 +16,7 @@ mod view;
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Args, Parser, Subcommand};
-use ffrf_fe::elements::Material;
-use ffrf_fe::import::{INFLATED_LIMIT, MassForm};
+use ffrf_fe::import::{INFLATED_LIMIT, MassForm, SolidsMaterial};
 use ffrf_fe::reduction::{Damping, DampingBand};
 use ffrf_model::Units;
 
@@ -180,10 +180,11 @@ pub struct FeFiles {
     /// marks of points and cells are node sets.
     #[arg(value_name = "PART.msh")]
     pub mesh: Option<PathBuf>,
-    /// Density, Young's modulus and Poisson's ratio of the solids of the mesh, in the units of the mesh.
-    #[arg(long, value_name = "RHO,E,NU", value_parser = parse_material, requires = "mesh", allow_hyphen_values = true,
+    /// Density, Young's modulus and Poisson's ratio of the solids of the mesh, in its units: of all, or of a group of solids.
+    /// Repeatable; one without GROUP is for all that no named group holds.
+    #[arg(long = "material", value_name = "[GROUP=]RHO,E,NU", value_parser = material::parse, requires = "mesh", allow_hyphen_values = true,
           conflicts_with_all = ["mass", "stiffness", "elastic", "nodes", "abaqus", "calculix", "nastran", "ansys"])]
-    pub material: Option<Material>,
+    pub materials: Vec<SolidsMaterial>,
     /// Node table, one line `x y z` per node (text or NumPy); nodes are numbered from 0.
     #[arg(long, value_name = "X.txt")]
     pub nodes: Option<PathBuf>,
@@ -384,14 +385,6 @@ fn parse_mass_form(text: &str) -> Result<MassForm, String> {
     }
 }
 
-fn parse_material(text: &str) -> Result<Material, String> {
-    let number = |part: &str| part.trim().parse::<f64>().map_err(|error| format!("`{part}`: {error}"));
-    match text.split(',').map(number).collect::<Result<Vec<f64>, _>>()?.as_slice() {
-        &[density, youngs_modulus, poisson_ratio] => Ok(Material { density, youngs_modulus, poisson_ratio }),
-        others => Err(format!("expected three numbers, RHO,E,NU, found {}", others.len())),
-    }
-}
-
 fn parse_pair(text: &str) -> Result<(f64, f64), String> {
     let number = |part: &str| part.trim().parse::<f64>().map_err(|error| format!("`{part}`: {error}"));
     let (alpha, beta) = text.split_once(',').ok_or("expected two numbers, ALPHA,BETA")?;
@@ -428,6 +421,7 @@ mod tests {
             "--abaqus part.inp --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
             "--calculix part.inp --modes 8 -o body.ffrf.json",
             "part.msh --material 7850,2.1e11,0.3 --modes 8 -o body.ffrf.json",
+            "part.msh --material HUB=7850,2.1e11,0.3 --material 2700,7e10,0.33 --modes 8 -o body.ffrf.json",
             "part.msh --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
             "--nastran part.bdf --mass part.pch --stiffness part.pch --modes 8 -o body.ffrf.json",
             "--ansys nodes.txt --mapping map.txt --mass M.mtx --stiffness K.mtx --modes 8 -o body.ffrf.json",
@@ -460,6 +454,7 @@ mod tests {
             "--nodes X --abaqus p.inp --mass M --modes 1 -o b",
             "p.msh --abaqus p.inp --mass M --modes 1 -o b",
             "p.msh --material 7850,2.1e11 --modes 1 -o b",
+            "p.msh --material =7850,2.1e11,0.3 --modes 1 -o b",
             "p.msh --material 7850,2.1e11,0.3 --mass M --modes 1 -o b",
             "--abaqus p.inp --material 7850,2.1e11,0.3 --modes 1 -o b",
             "--nodes X --mass M -o b",

@@ -31,7 +31,7 @@ impl FeFiles {
 
     fn node_source(&self) -> Result<NodeSource> {
         if let Some(path) = &self.mesh {
-            return Ok(NodeSource::Mesh { path: path.clone(), material: self.material });
+            return Ok(NodeSource::Mesh { path: path.clone(), materials: self.materials.clone() });
         }
         Ok(match (&self.nodes, &self.abaqus, &self.calculix, &self.nastran, &self.ansys) {
             (Some(path), ..) => match path.extension().and_then(|extension| extension.to_str()) {

@@ -48,7 +48,7 @@ pub fn describe(text: &mut String, plan: &Plan, budget: f64) {
             text,
             "  {} {}: {force:.1e}, {moment:.1e}, {modal:.1e} ({:.1e}, {:.1e}, {:.1e}), {:.1e} of the kinetic energy: {}",
             term.body,
-            term.term.name(),
+            term.name(),
             term.reached[0],
             term.reached[1],
             term.reached[2],
@@ -92,7 +92,7 @@ fn error_with_fewer(plan: &Plan) -> String {
 
 fn reason_of_term(term: &TermUse, plan: &Plan, budget: f64) -> String {
     let bound = term.largest_bound();
-    match (plan.configuration.modes.count(), plan.configuration.fidelity.keeps(term.term)) {
+    match (plan.configuration.modes.count(), term.is_kept_by(&plan.configuration.fidelity)) {
         (0, _) => "kept as far as a rigid body has it".to_owned(),
         (_, true) if bound == 0.0 => "kept: the model does not have it, it costs nothing".to_owned(),
         (_, true) if bound <= budget => {

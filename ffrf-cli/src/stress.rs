@@ -1,9 +1,8 @@
 //! `ffrf reduce --stress`: places where stress is observed.
 
 use anyhow::{Context, Result};
-use ffrf_fe::geometric_stiffness::uniform_elasticity;
 use ffrf_fe::stress::{StressRequest, stress_marker};
-use ffrf_fe::{FeModel, ModeBasis};
+use ffrf_fe::{FeModel, ModeBasis, PartElasticity};
 use ffrf_model::ReducedBody;
 
 use crate::arguments::Reduce;
@@ -17,8 +16,8 @@ pub fn add(body: &mut ReducedBody, model: &FeModel, basis: &ModeBasis, arguments
     }
     let elasticity = match stiffening::elasticity(arguments.stiffening.elastic, arguments.files.conversion())
     {
-        Some(given) => given,
-        None => uniform_elasticity(model).context("--stress")?,
+        Some(given) => given.into(),
+        None => PartElasticity::of_model(model).context("--stress")?,
     };
     for marker in &arguments.stress {
         let about = || format!("--stress {}", marker.name);

@@ -2,12 +2,17 @@
 
 use std::fmt::Write as _;
 
+use ffrf_codegen::Fidelity;
 use ffrf_host::tradeoff::Reference;
 
 /// What the reference is, in words.
 pub fn describe_reference(reference: &Reference) -> String {
+    let terms = match &reference.fidelity {
+        Fidelity::Full => "every term".to_owned(),
+        held => format!("every term that all bodies hold ({held})"),
+    };
     let mut text = format!(
-        "reference: {} modes, every term, Dormand-Prince 5(4) with the relative tolerance {:e} per step, {} steps\n",
+        "reference: {} modes, {terms}, Dormand-Prince 5(4) with the relative tolerance {:e} per step, {} steps\n",
         reference.modes, reference.tolerance, reference.steps
     );
     text.push_str(

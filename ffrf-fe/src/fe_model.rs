@@ -26,6 +26,8 @@ pub struct FeModel {
     pub elements: Vec<Element>,
     /// Materials, if the file had any: for stresses.
     pub materials: Vec<SolidMaterial>,
+    /// Which of `materials` each element is made of; empty if that is not known, and all must be alike.
+    pub element_materials: Vec<usize>,
     /// The files read, with hashes.
     pub sources: Vec<SourceFile>,
     /// What the import took for granted or found odd, for the provenance of bodies: files without their folders.

@@ -6,7 +6,7 @@ pub use crate::error::SectionError;
 
 use crate::compensated::dot;
 use crate::modes::{ModeError, entries};
-use crate::{FeError, FeModel, ModeBasis};
+use crate::{FeError, FeModel, ModeBasis, SparseMatrix};
 
 /// A plane that cuts a part in two.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,7 +26,8 @@ const ON_PLANE: f64 = 1e-6;
 ///
 /// The elastic forces K φ of the nodes on the side of the normal, summed: inside of that side they cancel, and what the elements in
 /// between exert is left. At rest that is the load on that side, whatever the elements are. The plane cuts between nodes: planes
-/// between the same nodes give the same force.
+/// between the same nodes give the same force. A node on the plane with neighbours on both sides counts by the share of them that is
+/// before the plane, one half in even meshes, as the inertia force of the material around it does; one at the end of the part is behind.
 /// Errors: a normal of zero, numbers that are not finite, all nodes on one side, no stiffness.
 pub fn section_marker(
     model: &FeModel,
@@ -42,13 +43,18 @@ pub fn section_marker(
     let height = |x: &Vector3| (0..3).map(|k| (x[k] - point[k]) * normal[k]).sum::<f64>();
     let positions = &model.nodes.positions;
     let farthest = positions.iter().map(|x| height(x).abs()).fold(0.0, f64::max);
-    let side: Vec<usize> =
-        (0..positions.len()).filter(|&row| height(&positions[row]) > ON_PLANE * farthest).collect();
-    let behind = positions.len() - side.len();
-    if side.is_empty() || behind == 0 {
-        return Err(SectionError::OneSide { section: name.clone(), before: side.len(), behind }.into());
+    let heights: Vec<f64> = positions.iter().map(height).collect();
+    let on_plane = ON_PLANE * farthest;
+    let before = heights.iter().filter(|&&height| height > on_plane).count();
+    let behind = positions.len() - before;
+    if before == 0 || behind == 0 {
+        return Err(SectionError::OneSide { section: name.clone(), before, behind }.into());
     }
     let stiffness = model.stiffness.as_ref().ok_or(ModeError::MissingStiffness)?;
+    let side: Vec<(usize, f64)> = (0..positions.len())
+        .map(|row| (row, share_before(stiffness, &heights, on_plane, row)))
+        .filter(|&(_, share)| share > 0.0)
+        .collect();
     let shapes = &basis.shapes;
     if shapes.nrows() != 3 * positions.len() {
         let (nodes, found) = (positions.len(), shapes.nrows());
@@ -58,14 +64,16 @@ pub fn section_marker(
         // Elastic forces of single nodes are far larger than their sum.
         let nodal: Vec<Vector3> = side
             .iter()
-            .map(|&row| {
+            .map(|&(row, share)| {
                 // K is symmetric: its column is its row.
                 [0, 1, 2].map(|k| {
-                    dot(entries(stiffness, 3 * row + k).map(|(dof, value)| (value, shapes[(dof, mode)])))
+                    let terms =
+                        entries(stiffness, 3 * row + k).map(|(dof, value)| (value, shapes[(dof, mode)]));
+                    share * dot(terms)
                 })
             })
             .collect();
-        let arm = |n: usize, k: usize| positions[side[n]][k] - point[k];
+        let arm = |n: usize, k: usize| positions[side[n].0][k] - point[k];
         std::array::from_fn(|component| {
             let k = component % 3;
             if component < 3 {
@@ -82,4 +90,19 @@ pub fn section_marker(
         normal,
         force: (0..shapes.ncols()).map(forces).collect(),
     })
+}
+
+/// What of the material around a node is before the plane: 1 or 0 off the plane; on it the reach of its neighbours before the plane
+/// beside that of all, and 0 at the end of the part.
+fn share_before(stiffness: &SparseMatrix, heights: &[f64], on_plane: f64, row: usize) -> f64 {
+    if heights[row].abs() > on_plane {
+        return if heights[row] > 0.0 { 1.0 } else { 0.0 };
+    }
+    let reach = |side: f64| {
+        let neighbours = (3 * row..3 * row + 3).flat_map(|dof| entries(stiffness, dof));
+        let far = neighbours.map(|(dof, _)| side * heights[dof / 3]).fold(0.0, f64::max);
+        if far > on_plane { far } else { 0.0 }
+    };
+    let (before, behind) = (reach(1.0), reach(-1.0));
+    if before > 0.0 && behind > 0.0 { before / (before + behind) } else { 0.0 }
 }

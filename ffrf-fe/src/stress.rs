@@ -8,7 +8,7 @@ use ffrf_model::{StressMarker, Vector3};
 pub use crate::error::StressError;
 
 use crate::elements::nodal_gradients;
-use crate::{Elasticity, FeError, FeModel, ModeBasis};
+use crate::{FeError, FeModel, ModeBasis, PartElasticity};
 
 /// A place where stress is observed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub struct StressRequest {
 pub fn stress_marker(
     model: &FeModel,
     basis: &ModeBasis,
-    elasticity: &Elasticity,
+    elasticity: &PartElasticity,
     request: &StressRequest,
 ) -> Result<StressMarker, FeError> {
     let count = model.nodes.len();
@@ -60,19 +60,21 @@ pub fn stress_marker(
 
 /// Mean stress over the elements at a node, a column of `fields` each; `None` for a node without element.
 ///
+/// Each element has the stress of its own material: at a node between two materials, where some components jump, it is their mean.
 /// Components: xx, yy, zz, xy, xz, yz. Errors: an element that is not usable.
 pub fn nodal_stress(
     model: &FeModel,
     fields: MatRef<'_, f64>,
-    elasticity: &Elasticity,
+    elasticity: &PartElasticity,
     row: usize,
 ) -> Result<Option<Vec<[f64; 6]>>, FeError> {
     let mut stresses = vec![[0.0; 6]; fields.ncols()];
     let mut elements = 0;
-    for element in &model.elements {
+    for (number, element) in model.elements.iter().enumerate() {
         let Some(place) = element.nodes.iter().position(|&node| node == row) else { continue };
         let corners: Vec<[f64; 3]> = element.nodes.iter().map(|&node| model.nodes.positions[node]).collect();
         let gradients = nodal_gradients(element.kind, &corners)?;
+        let elasticity = elasticity.of(number)?;
         for (j, sum) in stresses.iter_mut().enumerate() {
             let mut slope = [[0.0; 3]; 3];
             for (&node, gradient) in element.nodes.iter().zip(&gradients[place]) {

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::{ModelError, ReducedBody};
+use crate::{ModelError, ReducedBody, SecondOrderTerms};
 
 /// Which modes of a body to use, counted from 0 as the modal coordinates are.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -109,6 +109,10 @@ impl ReducedBody {
         let indices = selection.indices(self.mode_count())?;
         let mut body = self.clone();
         body.modes = pick(&self.modes, &indices);
+        if indices.is_empty() {
+            // a body without modes has no such terms, so that it lacks none
+            body.second_order_terms = SecondOrderTerms::Known;
+        }
         body.inertia.modal_first_moment = pick(&self.inertia.modal_first_moment, &indices);
         body.inertia.position_mode_moment = pick(&self.inertia.position_mode_moment, &indices);
         body.inertia.mode_mode_moment = pick_square(&self.inertia.mode_mode_moment, &indices);

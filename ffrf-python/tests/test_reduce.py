@@ -125,3 +125,27 @@ def test_what_is_wrong_is_said_in_the_words_of_the_command(truss: Truss) -> None
         quietly(nodes=truss.nodes, mass=truss.mass, stiffness=truss.stiffness, modes=2, marker={"TIP": 77})
     with pytest.raises(ffrf.Error, match="values, rows and columns of one length"):
         quietly(nodes=truss.nodes, mass=([1.0], ([0, 1], [0])), stiffness=truss.stiffness, modes=2)
+
+
+def two_tetrahedra(folder: Path) -> Path:
+    """Volumes of 1/6 and 1/3 cubic metres, in the groups HUB and ARM."""
+    path = folder / "part.msh"
+    path.write_text(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+        '$PhysicalNames\n2\n3 1 "HUB"\n3 2 "ARM"\n$EndPhysicalNames\n'
+        "$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n"
+        "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 4 2 2 2 2 3 4 5\n$EndElements\n"
+    )
+    return path
+
+
+def test_each_group_of_a_mesh_has_its_own_material(tmp_path: Path) -> None:
+    mesh = two_tetrahedra(tmp_path)
+    steel, rubber = (7850.0, 2.1e11, 0.3), (1100.0, 1e7, 0.45)
+    plain = quietly(mesh=mesh, material=steel, modes=2)
+    assert plain.mass == pytest.approx(7850.0 / 2)
+    for material in [{"HUB": steel, "ARM": rubber}, {"HUB": steel, None: rubber}]:
+        body = quietly(mesh=mesh, material=material, modes=2, section={"cut": "plane:0.5,0.2,0.2,1,0,0"})
+        assert body.mass == pytest.approx((7850.0 + 2 * 1100.0) / 6)
+    with pytest.raises(ffrf.Error, match=r"groups of solids: ARM \(1 solid\), HUB \(1 solid\)"):
+        quietly(mesh=mesh, material={"HUB": steel}, modes=2)

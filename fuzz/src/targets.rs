@@ -4,7 +4,8 @@ use std::path::Path;
 
 use ffrf_fe::elements::Material;
 use ffrf_fe::import::{
-    ImportOptions, ModelFiles, NodeSource, read_mbdyn, read_mode_shapes, read_model_with, read_sid,
+    ImportOptions, ModelFiles, NodeSource, SolidsMaterial, read_mbdyn, read_mode_shapes, read_model_with,
+    read_sid,
 };
 use ffrf_model::ReducedBody;
 
@@ -118,7 +119,8 @@ fn ansys(folder: &Path) -> Outcome {
 }
 
 fn mesh(folder: &Path) -> Outcome {
-    let nodes = NodeSource::Mesh { path: folder.join("part.msh"), material: Some(Material::STEEL) };
+    let nodes =
+        NodeSource::Mesh { path: folder.join("part.msh"), materials: SolidsMaterial::all(Material::STEEL) };
     read(ModelFiles { nodes, mass: None, stiffness: None })
 }
 

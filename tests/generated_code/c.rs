@@ -157,6 +157,21 @@ fn without_contraction_c_and_rust_give_the_same_bits() {
 }
 
 #[test]
+fn no_marker_has_the_name_of_the_stiffness_of_another() {
+    let (mut body, options) = find("stiffened_m2");
+    let old = body.markers[1].name.clone();
+    let new = format!("{}_stressed", body.markers[0].name);
+    body.markers[1].name = new.clone();
+    let loads = body.geometric_stiffness.iter_mut().flat_map(|stiffness| &mut stiffness.marker_loads);
+    loads.filter(|load| load.marker == old).for_each(|load| load.marker = new.clone());
+    let code = generate_c(&body, &options).unwrap();
+    for name in ["TIP_STRESSED_[6]", "TIP_STRESSED_STRESSED[6]", "marker STIFFENED_BODY_TIP_STRESSED;"] {
+        assert!(code.header.contains(name), "{name}: {}", code.header);
+    }
+    CProgram::compile(&code);
+}
+
+#[test]
 fn what_c_cannot_have_is_refused_by_name() {
     let (body, options) = find("general_m2");
     for (options, expected) in [

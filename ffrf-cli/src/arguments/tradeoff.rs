@@ -21,7 +21,7 @@ pub struct Tradeoff {
     /// (default: 0, 1, 2, 4, 8, ... and all).
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub modes: Option<Vec<Modes>>,
-    /// Fidelities (default: constant, linear, full).
+    /// Fidelities (default: those of constant, linear, unstiffened, full that all bodies hold and that differ).
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = parse_fidelity)]
     pub fidelity: Option<Vec<Fidelity>>,
     /// Number types: f64, f32 (default: both).
@@ -36,7 +36,7 @@ pub struct Tradeoff {
     /// Take errors in this: a sensor, `reaction` (all joints) or `energy`. Repeatable (default: every sensor).
     #[arg(long, value_name = "QUANTITY")]
     pub quantity: Vec<Quantity>,
-    /// Relative tolerance per step of the reference, which has all modes and terms.
+    /// Relative tolerance per step of the reference, which has all modes, and every term that all bodies hold.
     #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-10, value_parser = parse_positive)]
     pub reference_tolerance: f64,
     /// Also count what a step of each configuration takes of these cores: instructions, bytes of code, data and stack. A program

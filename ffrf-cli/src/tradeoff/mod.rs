@@ -10,7 +10,7 @@ mod sweep;
 mod table;
 mod target_counts;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use ffrf_host::tradeoff::{Axes, Done, Finding, Outcome, Study};
 
 use crate::arguments::Tradeoff;
@@ -30,8 +30,13 @@ pub fn run(arguments: &Tradeoff) -> Result<()> {
         quantities: arguments.quantity.clone(),
         reference_tolerance: arguments.reference_tolerance,
     };
-    let sweep = Sweep::open(question, &arguments.output, || output::complain("the reference is computed\n"))?;
-    let configurations = axes(&sweep.measure().study, arguments).configurations();
+    let study = question.study()?;
+    let axes = axes(&study, arguments);
+    // before anything is computed
+    study.check_held(&axes.fidelities).with_context(|| arguments.scene.display().to_string())?;
+    let configurations = axes.configurations();
+    let computing = || output::complain("the reference is computed\n");
+    let sweep = Sweep::of(study, question, &arguments.output, computing)?;
     let known = sweep.known(&configurations)?;
     let teller = ShareTeller::new("tradeoff");
     let threads = arguments.threads.unwrap_or_else(cores);

@@ -1,6 +1,7 @@
 //! Reference and outcomes as text, to their last bit: in the folder of a sweep, and on the way between processes.
 
 use anyhow::{Context, Error, Result};
+use ffrf_codegen::Fidelity;
 use ffrf_host::tradeoff::{
     Channel, Configuration, Finding, History, Measured, Modes, Outcome, Reference, StaticCost,
 };
@@ -15,6 +16,7 @@ pub fn reference_to_json(reference: &Reference) -> Result<String> {
         tolerance: reference.tolerance,
         steps: reference.steps,
         modes: reference.modes,
+        fidelity: reference.fidelity.to_string(),
         scales: reference.scales.clone(),
         own_errors: reference.own_errors.clone(),
         times: reference.times.clone(),
@@ -26,6 +28,7 @@ pub fn reference_to_json(reference: &Reference) -> Result<String> {
 /// The reference of a text. `channels`: those of the scene and quantities that it is of.
 pub fn reference_from_json(text: &str, channels: Vec<Channel>) -> Result<Reference> {
     let saved: SavedReference = serde_json::from_str(text)?;
+    let fidelity = saved.fidelity.parse()?;
     Ok(Reference {
         channels,
         times: saved.times,
@@ -35,6 +38,7 @@ pub fn reference_from_json(text: &str, channels: Vec<Channel>) -> Result<Referen
         tolerance: saved.tolerance,
         steps: saved.steps,
         modes: saved.modes,
+        fidelity,
     })
 }
 
@@ -68,10 +72,17 @@ struct SavedReference {
     tolerance: f64,
     steps: u64,
     modes: usize,
+    #[serde(default = "every_term")]
+    fidelity: String,
     scales: Vec<f64>,
     own_errors: Vec<f64>,
     times: Vec<f64>,
     values: Vec<Vec<f64>>,
+}
+
+/// What references had that do not say it.
+fn every_term() -> String {
+    Fidelity::Full.to_string()
 }
 
 #[derive(Serialize, Deserialize)]

@@ -43,8 +43,8 @@ impl Question {
         self.scene.display().to_string()
     }
 
-    /// Reads the scene.
-    fn study(&self) -> Result<Study> {
+    /// Reads the scene. Errors: it cannot be simulated.
+    pub fn study(&self) -> Result<Study> {
         Study::read(&self.scene).with_context(|| self.context())
     }
 
@@ -99,6 +99,11 @@ impl Sweep {
     /// Errors: the scene, a quantity that it does not have, a folder that holds something else.
     pub fn open(question: Question, folder: &Path, computing: impl FnOnce()) -> Result<Self> {
         let study = question.study()?;
+        Self::of(study, question, folder, computing)
+    }
+
+    /// The same of a scene that has been read.
+    pub fn of(study: Study, question: Question, folder: &Path, computing: impl FnOnce()) -> Result<Self> {
         let channels = study.channels(&question.quantities).with_context(|| question.context())?;
         let store = Store::open(folder, &question.asked(&study)?)?;
         let reference = match store.reference(channels)? {

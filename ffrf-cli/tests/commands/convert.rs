@@ -47,7 +47,7 @@ fn a_body_travels_to_mbdyn_and_back() {
 }
 
 /// The lines of a file without the terms of first order of a matrix.
-fn to_order_zero(text: &str, name: &str) -> String {
+pub fn to_order_zero(text: &str, name: &str) -> String {
     let mut inside = false;
     let line = |line: &str| {
         let word = line.trim();

@@ -7,6 +7,7 @@ mod doors;
 mod exports;
 mod fmu;
 mod inspect;
+mod lacking_terms;
 mod linearise;
 mod meshes;
 mod outputs;

@@ -1,8 +1,10 @@
 //! `ffrf reduce` of meshes, whose mass and stiffness it assembles, and of Nastran's decks and punch files.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
+use std::fmt::Write as _;
 use std::path::Path;
 
+use ffrf_fe::elements::{Material, brick};
 use serde_json::Value;
 
 use crate::workbench::Workbench;
@@ -78,6 +80,57 @@ fn meshes_that_cannot_be_assembled_are_refused() {
         .run(&format!("{REDUCE} --modes 2"))
         .failed(1, &["beam.msh:", "expected `$EndElements`", "`$EndElement`"]);
     assert_eq!(bench.files(), ["beam.msh"]);
+}
+
+/// A bar of six hexahedra along x, two in the group `HUB`, the others in `ARM`.
+fn two_groups() -> String {
+    let bar = brick([0.6, 0.1, 0.1], [6, 1, 1], &Material::STEEL).unwrap();
+    let mut text = String::from("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+    text.push_str("$PhysicalNames\n2\n3 1 \"HUB\"\n3 2 \"ARM\"\n$EndPhysicalNames\n");
+    writeln!(text, "$Nodes\n{}", bar.nodes.len()).unwrap();
+    for (row, [x, y, z]) in bar.nodes.positions.iter().enumerate() {
+        writeln!(text, "{} {x} {y} {z}", row + 1).unwrap();
+    }
+    writeln!(text, "$EndNodes\n$Elements\n{}", bar.elements.len()).unwrap();
+    for (number, element) in bar.elements.iter().enumerate() {
+        let nodes: Vec<String> = element.nodes.iter().map(|row| (row + 1).to_string()).collect();
+        let group = if number < 2 { 1 } else { 2 };
+        writeln!(text, "{} 5 2 {group} {group} {}", number + 1, nodes.join(" ")).unwrap();
+    }
+    text + "$EndElements\n"
+}
+
+#[test]
+fn each_group_of_solids_has_its_own_material() {
+    let bench = Workbench::new();
+    bench.write("bar.msh", &two_groups());
+    let of = |materials: &str| format!("bar.msh {materials} --clamp 1,8,15,22 --modes 3");
+    let materials = "--material HUB=7850,2.1e11,0.3 --material ARM=1600,7e10,0.25";
+    let stiffened = "--stress seam=3 --geometric-stiffness -o bar.ffrf.json";
+    bench.run(&format!("reduce {} {stiffened}", of(materials))).succeeded();
+    let found = body(&bench, "bar.ffrf.json");
+    let mass = found["inertia"]["mass"].as_f64().unwrap();
+    assert!((mass / (7850.0 * 2e-3 + 1600.0 * 4e-3) - 1.0).abs() < ROUND_OFF, "{mass}");
+    let first_moment = found["inertia"]["first_moment"][0].as_f64().unwrap();
+    let expected = 7850.0 * 2e-3 * 0.1 + 1600.0 * 4e-3 * 0.4;
+    assert!((first_moment / expected - 1.0).abs() < ROUND_OFF, "{first_moment} {expected}");
+    let notes = found["provenance"]["notes"].to_string();
+    for part in ["2 of group HUB with density 7850.0", "4 of group ARM with density 1600.0"] {
+        assert!(notes.contains(part), "{notes}");
+    }
+    let said = bench.run(&format!("verify bar.ffrf.json {} --tolerance 1e-6", of(materials))).succeeded();
+    assert!(said.contains("verified"), "{said}");
+    // Another material of one group is another part.
+    let other = of("--material HUB=7850,2.1e11,0.3 --material 1600,7.7e10,0.25");
+    assert_ne!(bench.run(&format!("verify bar.ffrf.json {other} --tolerance 1e-6")).code, 0);
+    let refused = |materials: &str, parts: &[&str]| {
+        bench.run(&format!("reduce {} -o b.ffrf.json", of(materials))).failed(1, parts);
+    };
+    refused(
+        "--material HUB=7850,2.1e11,0.3",
+        &["the first of 4", "groups of solids: ARM (4 solids), HUB (2 solids)"],
+    );
+    refused("--material TIP=7850,2.1e11,0.3", &["no solid is in a group TIP", "ARM (4 solids)"]);
 }
 
 #[test]

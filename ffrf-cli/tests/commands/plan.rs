@@ -109,6 +109,56 @@ fn plans_of_scenes_of_the_guide_say_why_and_are_confirmed() {
     assert!(bearing.contains("flexible_body!") && bearing.contains(": kept: "), "{bearing}");
 }
 
+/// Numbers of a JSON value times a factor.
+fn scaled(value: &serde_json::Value, factor: f64) -> serde_json::Value {
+    match value {
+        serde_json::Value::Array(items) => items.iter().map(|item| scaled(item, factor)).collect(),
+        other => (factor * other.as_f64().unwrap()).into(),
+    }
+}
+
+/// Stress stiffness goes where its bound is far below the budget though the other terms of second order must stay; where it is
+/// as large as they are, it stays.
+#[test]
+fn stress_stiffness_is_left_out_where_its_bound_is_far_below_the_budget() {
+    let bench = Workbench::new();
+    let beam = std::fs::read_to_string(root().join("models/spin_up_beam.ffrf.json")).unwrap();
+    let error = 1e-4;
+    for (factor, chosen) in [(1e-4, "unstiffened"), (1.0, "full")] {
+        let mut model: serde_json::Value = serde_json::from_str(&beam).unwrap();
+        for part in ["uniform_load", "linear_load"] {
+            let load = &mut model["geometric_stiffness"][part];
+            *load = scaled(load, factor);
+        }
+        bench.write("beam.ffrf.json", &model.to_string());
+        bench.write(
+            "scene.toml",
+            "[simulation]\nduration = 1.0\nstep = 1e-2\ngravity = [0.0, 0.0, -9.81]\noutput_step = 0.05\n\
+             [bodies.beam]\nmodel = \"beam.ffrf.json\"\n\
+             [joints.hub]\nkind = \"revolute\"\nfirst = \"ground\"\nsecond = \"beam\"\naxis = [0.0, 1.0, 0.0]\n\
+             [sensors.tip]\nkind = \"position\"\nof = \"beam.TIP\"\n",
+        );
+        let text = check(&bench.path("scene.toml"), error, "");
+        assert!(text.lines().nth(2).unwrap().contains(&format!(" modes, {chosen}, ")), "{text}");
+        // the largest of the bounds, before the brackets
+        let term =
+            |name: &str| text.lines().find(|line| line.starts_with(&format!("  beam {name}: "))).unwrap();
+        let bound = |name: &str| {
+            let numbers = term(name).split(": ").nth(1).unwrap().split(" (").next().unwrap();
+            numbers.split(", ").map(|number| number.parse::<f64>().unwrap()).fold(0.0, f64::max)
+        };
+        let stiffening = bound("centrifugal_stiffening").max(bound("linear_acceleration_stiffening"));
+        let is_dropped = term("centrifugal_stiffening").contains(": dropped: its bound is below the budget");
+        assert_eq!(is_dropped, chosen == "unstiffened", "{text}");
+        assert_eq!(stiffening < 0.1 * error, is_dropped, "{stiffening}: {text}");
+        assert!(
+            bound("rotation_quadratic") > error && term("rotation_quadratic").contains(": kept: "),
+            "{text}"
+        );
+        assert!(text.contains("modes, unstiffened: "), "a candidate: {text}");
+    }
+}
+
 /// The calls that are printed are those that `tests/mechanisms/planned.rs` compiles and runs.
 #[test]
 fn the_calls_that_a_plan_prints_are_those_that_are_compiled() {

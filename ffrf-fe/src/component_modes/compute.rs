@@ -63,9 +63,9 @@ pub fn component_modes(
     let motion = InterfaceMotion::new(&coordinates, interfaces)?;
     let rigid = RigidMotion::new(&coordinates)?;
     progress(Progress { stage: Stage::Ordering, done: 0, total: 1 });
-    let supported = Supported::new(&coordinates, &rigid)?;
+    let (supported, stiffness) = Supported::new(&coordinates, &rigid)?;
     progress(Progress { stage: Stage::Factorising, done: 0, total: 1 });
-    let flexibility = Flexibility::new(&coordinates, &rigid, &supported, request.threads)?;
+    let flexibility = Flexibility::new(&coordinates, &rigid, &supported, stiffness, request.threads)?;
     let compliance = motion.of(&coordinates, flexibility.elastic(motion.forces(&coordinates)).as_ref());
     let compliance: Vec<f64> = (0..motion.count()).map(|i| compliance[(i, i)]).collect();
     let spanned = span(&flexibility, &motion, &compliance, request, progress)?;

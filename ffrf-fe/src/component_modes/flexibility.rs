@@ -1,6 +1,7 @@
 //! Flexibility of the part: displacements of forces, from one factor of the stiffness on as few supports as stop
 //! rigid motion.
 
+use faer::sparse::SparseColMat;
 use faer::{Mat, MatRef, Par};
 
 use crate::modes::{Analysis, Factor, ModeError, node_order, product};
@@ -8,17 +9,26 @@ use crate::modes::{Analysis, Factor, ModeError, node_order, product};
 use super::coordinates::Coordinates;
 use super::rigid_motion::RigidMotion;
 
-/// The supported stiffness before it is factored.
+/// The lower triangle of the supported stiffness.
+pub(crate) type SupportedStiffness = SparseColMat<u32, f64>;
+
+/// The pattern of the supported stiffness.
 pub(crate) struct Supported {
     /// Number of each coordinate among those that are not held.
     number: Vec<Option<u32>>,
-    lower: faer::sparse::SparseColMat<u32, f64>,
+    /// How many are not held.
+    count: usize,
     pub analysis: Analysis,
 }
 
 impl Supported {
+    /// The pattern, and the stiffness itself, which is not needed longer than until it is factored.
+    ///
     /// Errors: [`ModeError::FactorTooLarge`].
-    pub fn new(coordinates: &Coordinates<'_>, rigid: &RigidMotion) -> Result<Self, ModeError> {
+    pub fn new(
+        coordinates: &Coordinates<'_>,
+        rigid: &RigidMotion,
+    ) -> Result<(Self, SupportedStiffness), ModeError> {
         let supports = rigid.supports(coordinates);
         let mut count = 0;
         let number: Vec<Option<u32>> = (0..coordinates.dimension())
@@ -31,7 +41,7 @@ impl Supported {
         let (lower, node_of) = coordinates.shifted_lower(0.0, &number);
         let order = node_order(&lower, &node_of, &coordinates.node_positions())?.order;
         let analysis = Analysis::new(&lower, &order)?;
-        Ok(Self { number, lower, analysis })
+        Ok((Self { number, count: lower.nrows(), analysis }, lower))
     }
 }
 
@@ -52,16 +62,17 @@ impl<'a> Flexibility<'a> {
         coordinates: &'a Coordinates<'a>,
         rigid: &'a RigidMotion,
         supported: &'a Supported,
+        stiffness: SupportedStiffness,
         threads: usize,
     ) -> Result<Self, ModeError> {
-        let factor = supported.analysis.factorise(&supported.lower)?;
+        let factor = supported.analysis.factorise(&stiffness)?;
         Ok(Self { coordinates, rigid, supported, factor, threads })
     }
 
     /// G F: displacements with the supports at rest. The supports take what the forces do not balance.
     pub fn supported(&self, forces: MatRef<'_, f64>) -> Mat<f64> {
         let number = &self.supported.number;
-        let mut reduced = Mat::zeros(self.supported.lower.nrows(), forces.ncols());
+        let mut reduced = Mat::zeros(self.supported.count, forces.ncols());
         for j in 0..forces.ncols() {
             let column = reduced.col_as_slice_mut(j);
             for (place, number) in number.iter().enumerate() {

@@ -62,8 +62,8 @@ fn displacements(
     let coordinates = Coordinates::held(model, interfaces, held)?;
     let motion = InterfaceMotion::new(&coordinates, interfaces)?;
     let rigid = RigidMotion::new(&coordinates)?;
-    let supported = Supported::new(&coordinates, &rigid)?;
-    let flexibility = Flexibility::new(&coordinates, &rigid, &supported, 1)?;
+    let (supported, stiffness) = Supported::new(&coordinates, &rigid)?;
+    let flexibility = Flexibility::new(&coordinates, &rigid, &supported, stiffness, 1)?;
     let shapes = solve(&flexibility, &motion, coordinates.contract(loads))?;
     Ok(coordinates.expand(shapes.as_ref()))
 }

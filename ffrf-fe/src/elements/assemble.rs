@@ -15,12 +15,29 @@ const TOO_LARGE: f64 = 1e100;
 /// Errors: [`ElementError`] for a bad element.
 /// Panics: never.
 pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Result<FeModel, ElementError> {
+    let all_of_it = vec![0; elements.len()];
+    assemble_materials(nodes, elements, &[(String::new(), *material)], all_of_it)
+}
+
+/// Assembles isotropic elements of several materials: their names and constants, and which of them each element is made of.
+///
+/// Errors: [`ElementError`] for a bad element, or one without material.
+/// Panics: never.
+pub fn assemble_materials(
+    nodes: Nodes,
+    elements: Vec<Element>,
+    materials: &[(String, Material)],
+    element_materials: Vec<usize>,
+) -> Result<FeModel, ElementError> {
     let count = nodes.len();
     let neighbours = neighbours(count, &elements)?;
     let mut mass = Columns::new(&neighbours, 1);
     let mut stiffness = Columns::new(&neighbours, 3);
     for (number, element) in elements.iter().enumerate() {
         let corners: Vec<[f64; 3]> = element.nodes.iter().map(|&row| nodes.positions[row]).collect();
+        let material = element_materials.get(number).and_then(|&material| materials.get(material));
+        let no_material = ElementError::NoMaterial { element: number, materials: materials.len() };
+        let (_, material) = material.ok_or(no_material)?;
         let matrices = element_matrices(element.kind, &corners, material)
             .and_then(refuse_too_large)
             .map_err(|fault| ElementError::Numbered { element: number, fault: Box::new(fault) })?;
@@ -42,7 +59,14 @@ pub fn assemble(nodes: Nodes, elements: Vec<Element>, material: &Material) -> Re
         stiffness: Some(stiffness.into_matrix(&neighbours)),
         fixed_dofs: Vec::new(),
         elements,
-        materials: vec![SolidMaterial { name: String::new(), elasticity: Some(material.elasticity()) }],
+        materials: materials
+            .iter()
+            .map(|(name, material)| SolidMaterial {
+                name: name.clone(),
+                elasticity: Some(material.elasticity()),
+            })
+            .collect(),
+        element_materials,
         sources: Vec::new(),
         notes: Vec::new(),
         nodes,

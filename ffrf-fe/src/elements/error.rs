@@ -40,6 +40,14 @@ pub enum ElementError {
         /// What is wrong with it.
         fault: Box<ElementError>,
     },
+    /// An element of which nothing says what it is made of.
+    #[error("element {element} (from 0): expected one of {materials} materials, found none or another")]
+    NoMaterial {
+        /// Number of the element from 0.
+        element: usize,
+        /// Number of materials.
+        materials: usize,
+    },
     /// An element at a row beyond the node table.
     #[error("element {element}: node row {row} does not exist, there are {nodes} nodes (rows from 0)")]
     UnknownNode {

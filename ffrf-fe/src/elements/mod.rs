@@ -8,7 +8,7 @@ mod recovery;
 mod rules;
 pub(crate) mod shapes;
 
-pub use assemble::{assemble, brick, quadratic_brick};
+pub use assemble::{assemble, assemble_materials, brick, quadratic_brick};
 pub use error::ElementError;
 pub use isoparametric::{ElementMatrices, QuadraturePoint, element_matrices, quadrature};
 pub use material::Material;

@@ -4,12 +4,12 @@ use faer::MatRef;
 use ffrf_model::GeometricStiffness;
 
 use crate::modes::ModeError;
-use crate::{Elasticity, FeError, FeModel, ModeBasis};
+use crate::{Elasticity, FeError, FeModel, ModeBasis, PartElasticity};
 
+use super::GeometricStiffnessError;
 use super::integrate::{self, Integrals, integrate};
 use super::loads::{COUNT, by_load, unit_loads};
 use super::support::{PrestressSupport, displacements};
-use super::{GeometricStiffnessError, uniform_elasticity};
 
 /// Factor by which the strain energy of the elements may differ from that of the stiffness matrix.
 ///
@@ -20,10 +20,10 @@ const ENERGY_FACTOR: f64 = 3.0;
 /// Geometric stiffness of the modes under unit inertial loads.
 ///
 /// The loads are those of the mass matrix, the displacements those of the stiffness matrix; the stresses follow inside the
-/// elements, by `elasticity` or else by the one material of the model.
+/// elements, by `elasticity` or else by the material of each element.
 /// Source: Zienkiewicz, Taylor, The Finite Element Method (initial stress matrix); loads as in Wallrapp, Mechanics of Structures and
 /// Machines 22 (1994), standard input data K0.
-/// Errors: no elements, no material or several, a material whose strain energy is not that of the stiffness matrix, elements
+/// Errors: no elements, no material or several that are not told apart, a material whose strain energy is not that of the stiffness matrix, elements
 /// that are not usable, a support on which the stiffness is not positive definite.
 pub fn geometric_stiffness(
     model: &FeModel,
@@ -57,11 +57,11 @@ pub(super) fn stress_stiffness(
         return Err(GeometricStiffnessError::NoElements.into());
     }
     let elasticity = match elasticity {
-        Some(given) => given,
-        None => uniform_elasticity(model)?,
+        Some(given) => given.into(),
+        None => PartElasticity::of_model(model)?,
     };
-    if !elasticity.is_stable() {
-        let Elasticity { youngs_modulus, poisson_ratio } = elasticity;
+    let constants = elasticity.constants();
+    if let Some(&Elasticity { youngs_modulus, poisson_ratio }) = constants.iter().find(|it| !it.is_stable()) {
         return Err(GeometricStiffnessError::Unstable { youngs_modulus, poisson_ratio }.into());
     }
     let loaded = displacements(model, support, loads)?;
@@ -72,9 +72,8 @@ pub(super) fn stress_stiffness(
     let agree = strain_energy <= factor * matrix_energy && matrix_energy <= factor * strain_energy;
     if !agree {
         let ratio = strain_energy / matrix_energy;
-        return Err(
-            GeometricStiffnessError::Energy { ratio, youngs_modulus: elasticity.youngs_modulus }.into()
-        );
+        let youngs_modulus = constants.iter().fold(0.0_f64, |most, it| most.max(it.youngs_modulus));
+        return Err(GeometricStiffnessError::Energy { ratio, youngs_modulus }.into());
     }
     Ok(stiffness)
 }

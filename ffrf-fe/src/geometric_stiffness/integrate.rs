@@ -4,7 +4,7 @@ use faer::{Mat, MatRef};
 
 use crate::elements::quadrature;
 use crate::modes::stiffness_times;
-use crate::{Elasticity, FeError, FeModel, SparseMatrix};
+use crate::{FeError, FeModel, PartElasticity, SparseMatrix};
 
 use super::loads::COUNT;
 
@@ -19,19 +19,20 @@ pub(super) struct Integrals {
     pub strain_energy: f64,
 }
 
-/// Integrates over all elements of a part of one material.
+/// Integrates over all elements of a part.
 ///
-/// Errors: an element that is not usable, with its number.
+/// Errors: an element that is not usable or has no material.
 pub(super) fn integrate(
     model: &FeModel,
-    elasticity: &Elasticity,
+    elasticity: &PartElasticity,
     displacements: MatRef<'_, f64>,
     shapes: MatRef<'_, f64>,
 ) -> Result<Integrals, FeError> {
     let modes = shapes.ncols();
     let mut stiffness: Vec<Vec<[f64; COUNT]>> = vec![vec![[0.0; COUNT]; modes]; modes];
     let mut strain_energy = 0.0;
-    for element in &model.elements {
+    for (number, element) in model.elements.iter().enumerate() {
+        let elasticity = elasticity.of(number)?;
         let corners: Vec<[f64; 3]> = element.nodes.iter().map(|&row| model.nodes.positions[row]).collect();
         for point in quadrature(element.kind, &corners)? {
             let slopes = |fields: MatRef<'_, f64>| -> Vec<[[f64; 3]; 3]> {

@@ -2,11 +2,10 @@
 //!
 //! The way through this module: `loads` are the forces of unit accelerations; `support` balances them as the frame of the modes
 //! asks and gives the displacements that they cause; `integrate` turns these into stresses inside the elements, and the
-//! stresses into Γ_μν = ∫ ∇φ_μᵀ σ ∇φ_ν. `marker_loads` does the same for forces and moments at markers. `elasticity` says what the elements are made of. `second_order` goes the
+//! stresses into Γ_μν = ∫ ∇φ_μᵀ σ ∇φ_ν. `marker_loads` does the same for forces and moments at markers. `second_order` goes the
 //! other way round, for checks.
 
 mod compute;
-mod elasticity;
 mod integrate;
 mod loads;
 mod marker_loads;
@@ -15,7 +14,6 @@ mod support;
 
 pub use crate::error::GeometricStiffnessError;
 pub use compute::geometric_stiffness;
-pub use elasticity::uniform_elasticity;
 pub use marker_loads::marker_load_stiffness;
 pub use second_order::{SecondOrder, second_order_displacements};
 pub use support::PrestressSupport;

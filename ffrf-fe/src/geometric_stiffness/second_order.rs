@@ -3,10 +3,9 @@
 use faer::Mat;
 
 use crate::elements::quadrature;
-use crate::{Elasticity, FeError, FeModel, ModeBasis};
+use crate::{Elasticity, FeError, FeModel, ModeBasis, PartElasticity};
 
 use super::support::{PrestressSupport, responses};
-use super::uniform_elasticity;
 
 /// Displacements g_μν of second order.
 #[derive(Debug, Clone)]
@@ -26,13 +25,14 @@ pub fn second_order_displacements(
     elasticity: Option<Elasticity>,
 ) -> Result<SecondOrder, FeError> {
     let elasticity = match elasticity {
-        Some(given) => given,
-        None => uniform_elasticity(model)?,
+        Some(given) => given.into(),
+        None => PartElasticity::of_model(model)?,
     };
     let modes = basis.shapes.ncols();
     let pairs: Vec<(usize, usize)> = (0..modes).flat_map(|mu| (mu..modes).map(move |nu| (mu, nu))).collect();
     let mut forces = Mat::zeros(3 * model.nodes.len(), pairs.len());
-    for element in &model.elements {
+    for (number, element) in model.elements.iter().enumerate() {
+        let elasticity = elasticity.of(number)?;
         let corners: Vec<[f64; 3]> = element.nodes.iter().map(|&row| model.nodes.positions[row]).collect();
         for point in quadrature(element.kind, &corners)? {
             let slopes: Vec<[[f64; 3]; 3]> = (0..modes)

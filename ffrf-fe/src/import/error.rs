@@ -175,16 +175,74 @@ pub enum ImportError {
     },
     /// Constants that no elastic material has.
     #[error(
-        "the material must have a density > 0, a Young's modulus > 0 and a Poisson's ratio between -1 and 1/2, found \
-         {density:e}, {youngs_modulus:e} and {poisson_ratio}"
+        "the material{} must have a density > 0, a Young's modulus > 0 and a Poisson's ratio between -1 and 1/2, found \
+         {density:e}, {youngs_modulus:e} and {poisson_ratio}",
+        of_group(group)
     )]
     Material {
+        /// The group of solids; `None` for all that no named group holds.
+        group: Option<String>,
         /// Density ρ. Units: kg/m³.
         density: f64,
         /// Young's modulus E. Units: N/m².
         youngs_modulus: f64,
         /// Poisson's ratio ν.
         poisson_ratio: f64,
+    },
+    /// A group of solids has two materials.
+    #[error("the material{} is given a second time", of_group(group))]
+    MaterialTwice {
+        /// The group of solids; `None` for all that no named group holds.
+        group: Option<String>,
+    },
+    /// A material for a group that holds no solids.
+    #[error(
+        "{}: no solid is in a group {}; groups of solids: {}",
+        shown(path),
+        printable(group),
+        printable(known)
+    )]
+    UnknownSolids {
+        /// The mesh.
+        path: PathBuf,
+        /// The group.
+        group: String,
+        /// The groups that hold solids.
+        known: String,
+    },
+    /// Solids of which nothing says what they are made of.
+    #[error(
+        "{}:{line}: nothing says what this solid is made of, the first of {count}: name a material for its group, or one without \
+         group for all others; groups of solids: {}",
+        shown(path),
+        printable(known)
+    )]
+    NoMaterial {
+        /// The mesh.
+        path: PathBuf,
+        /// Line of the first, from 1.
+        line: usize,
+        /// How many there are.
+        count: usize,
+        /// The groups that hold solids.
+        known: String,
+    },
+    /// A solid that two groups give a material.
+    #[error(
+        "{}:{line}: this solid is in the groups {} and {}, which both have a material",
+        shown(path),
+        printable(first),
+        printable(second)
+    )]
+    TwoMaterials {
+        /// The mesh.
+        path: PathBuf,
+        /// Line number from 1.
+        line: usize,
+        /// One group.
+        first: String,
+        /// The other.
+        second: String,
     },
     /// A node id is not in the node table.
     #[error("{}:{line}: expected a node of the node table ({nodes} nodes), found node {id}", shown(path))]
@@ -387,6 +445,11 @@ pub enum ImportError {
 /// The array of an archive that a message is about; a `.npy` file has one without a name.
 fn named_array(array: &str) -> String {
     if array.is_empty() { String::new() } else { format!("array `{array}`: ") }
+}
+
+/// ` of the group NAME`, or nothing.
+fn of_group(group: &Option<String>) -> String {
+    group.as_ref().map(|group| format!(" of the group {}", printable(group))).unwrap_or_default()
 }
 
 /// A path with its control characters escaped.

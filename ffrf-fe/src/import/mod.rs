@@ -11,7 +11,7 @@
 //! | CalculiX | `.inp` | `.sti`, `.mas`, `.dof` of `*FREQUENCY, SOLVER=MATRIXSTORAGE` |
 //! | ANSYS | table `id x y z` | Matrix Market of `*SMAT`/`*DMAT` with a node mapping vector |
 //! | Nastran | deck: `GRID`, solids, `MAT1`, `SET1` | `DMIG` of a punch file, `OUTPUT4` (text, binary) |
-//! | gmsh, VTK | `.msh` 4.1 and 2.2, `.vtu` | assembled of the solids, of one material |
+//! | gmsh, VTK | `.msh` 4.1 and 2.2, `.vtu` | assembled of the solids, with a material for all or for each group |
 //!
 //! A reduced body comes from a data file of MBDyn's modal joint ([`read_mbdyn`]) or from standard input data ([`read_sid`]), which
 //! [`crate::export`] writes.
@@ -35,6 +35,7 @@ mod model_files;
 mod nodes;
 mod note;
 mod options;
+mod solids_material;
 mod text;
 
 pub use error::ImportError;
@@ -42,6 +43,7 @@ pub use formats::{read_matrix, read_mbdyn, read_mode_shapes, read_sid, read_squa
 pub use model_files::{Import, ModelFiles, NodeSource, read_model, read_model_with};
 pub use note::{Note, Weight};
 pub use options::{INFLATED_LIMIT, ImportOptions, MassForm};
+pub use solids_material::SolidsMaterial;
 pub use text::source_file;
 
 #[cfg(test)]

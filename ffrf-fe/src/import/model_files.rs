@@ -7,11 +7,11 @@ use super::formats::{ansys, calculix, deck, matrix_file, mesh, nastran, numpy, t
 use super::matrix::raw_matrix::{MatrixRole, RawMatrix};
 use super::model;
 use super::nodes::{ElementTrouble, NodeLookup, NodeTable, TroubleKind};
+use super::solids_material::SolidsMaterial;
 use super::text::compressed::stored_path;
 use super::text::source::Source;
 use super::{ImportError, ImportOptions, Note};
 use crate::FeModel;
-use crate::elements::Material;
 
 /// What the user named on the command line.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,8 +42,8 @@ pub enum NodeSource {
     Mesh {
         /// The mesh.
         path: PathBuf,
-        /// What its solids are made of: mass and stiffness are assembled here if their files are not named.
-        material: Option<Material>,
+        /// What its solids are made of: mass and stiffness are assembled here if their files are not named. May be empty.
+        materials: Vec<SolidsMaterial>,
     },
     /// ANSYS node table `id x y z`.
     Ansys {
@@ -82,10 +82,11 @@ pub fn read_model(files: &ModelFiles) -> Result<FeModel, ImportError> {
 pub fn read_model_with(files: &ModelFiles, options: &ImportOptions) -> Result<Import, ImportError> {
     let mut notes = Vec::new();
     let (mut table, sources) = read_nodes(&files.nodes, options, &mut notes)?;
-    if let (NodeSource::Mesh { material: Some(material), .. }, None, None, [(_, source)]) =
+    if let (NodeSource::Mesh { materials, .. }, None, None, [(_, source)]) =
         (&files.nodes, &files.mass, &files.stiffness, sources.as_slice())
+        && !materials.is_empty()
     {
-        let mut model = model::from_solids(table, source, material, &mut notes)?;
+        let mut model = model::from_solids(table, source, materials, &mut notes)?;
         model.sources = sources.into_iter().map(|(_, source)| source.finish("mesh")).collect();
         return Ok(Import { model, notes });
     }
@@ -208,6 +209,7 @@ fn read_matrices(
         fixed_dofs: parts.fixed_dofs,
         elements: table.elements,
         materials: table.materials,
+        element_materials: Vec::new(),
         sources: hashed,
         notes: notes.iter().map(Note::for_provenance).collect(),
     };

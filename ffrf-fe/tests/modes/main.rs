@@ -7,6 +7,7 @@ mod component_modes;
 mod conrod;
 mod many;
 mod markers;
+mod materials;
 mod meshes;
 mod progress;
 mod reference;

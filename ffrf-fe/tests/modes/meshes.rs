@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ffrf_fe::elements::Material;
-use ffrf_fe::import::{ModelFiles, NodeSource, read_model};
+use ffrf_fe::import::{ModelFiles, NodeSource, SolidsMaterial, read_model};
 use ffrf_fe::modes::{ModeRequest, compute_modes};
 
 /// CalculiX prints seven digits.
@@ -19,8 +19,10 @@ fn clamped_beams_have_the_frequencies_of_calculix() {
     for line in table.lines() {
         let tolerance = if line.starts_with("hex") { PRINTED } else { FOUR_POINTS };
         let mut words = line.split(' ');
-        let nodes =
-            NodeSource::Mesh { path: folder.join(words.next().unwrap()), material: Some(Material::STEEL) };
+        let nodes = NodeSource::Mesh {
+            path: folder.join(words.next().unwrap()),
+            materials: SolidsMaterial::all(Material::STEEL),
+        };
         let model = read_model(&ModelFiles { nodes, mass: None, stiffness: None }).unwrap();
         let request = ModeRequest::clamped(4, model.nodes.sets["left end"].clone());
         let solution = compute_modes(&model, &request, &mut |_| {}).unwrap();

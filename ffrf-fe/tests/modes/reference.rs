@@ -55,6 +55,7 @@ pub fn load(name: &str) -> Option<(Case, FeModel, Mat<f64>)> {
         fixed_dofs: Vec::new(),
         elements: Vec::new(),
         materials: Vec::new(),
+        element_materials: Vec::new(),
         sources: Vec::new(),
         notes: Vec::new(),
     };

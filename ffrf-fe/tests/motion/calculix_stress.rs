@@ -46,6 +46,7 @@ fn read(kind: ElementKind, deck: &str) -> FeModel {
         fixed_dofs: Vec::new(),
         elements,
         materials: Vec::new(),
+        element_materials: Vec::new(),
         sources: Vec::new(),
         notes: Vec::new(),
         nodes,
@@ -76,7 +77,7 @@ fn compare(kind: ElementKind, deck: &str, table: &str, group: usize) {
     let largest = expected.iter().flatten().fold(0.0_f64, |most, stress| most.max(stress.abs()));
     let found: Vec<[f64; 6]> = (0..expected.len())
         .map(|row| {
-            let found = nodal_stress(&model, shapes.as_ref(), &STEEL, row).expect("sound elements");
+            let found = nodal_stress(&model, shapes.as_ref(), &STEEL.into(), row).expect("sound elements");
             let [xx, yy, zz, xy, xz, yz] = found.expect("a node of an element")[0];
             [xx, yy, zz, xy, yz, xz]
         })
@@ -138,9 +139,9 @@ fn a_stress_marker_is_the_mean_over_its_nodes() {
         modes: vec![Mode { kind: ModeKind::User, frequency_hz: None }; 2],
     };
     let request = |nodes: &[usize]| StressRequest { name: "NOTCH".to_owned(), nodes: nodes.to_vec() };
-    let marker = stress_marker(&model, &basis, &STEEL, &request(&[3, 5])).expect("two nodes");
+    let marker = stress_marker(&model, &basis, &STEEL.into(), &request(&[3, 5])).expect("two nodes");
     let at = |row: usize| {
-        nodal_stress(&model, field.as_ref(), &STEEL, row).expect("sound").expect("an element")[0]
+        nodal_stress(&model, field.as_ref(), &STEEL.into(), row).expect("sound").expect("an element")[0]
     };
     for k in 0..6 {
         let mean = 0.5 * (at(3)[k] + at(5)[k]);
@@ -149,9 +150,9 @@ fn a_stress_marker_is_the_mean_over_its_nodes() {
         }
     }
     for nodes in [&[][..], &[99]] {
-        assert!(stress_marker(&model, &basis, &STEEL, &request(nodes)).is_err());
+        assert!(stress_marker(&model, &basis, &STEEL.into(), &request(nodes)).is_err());
     }
     let without = FeModel { elements: Vec::new(), ..model };
-    let error = stress_marker(&without, &basis, &STEEL, &request(&[3])).expect_err("no element");
+    let error = stress_marker(&without, &basis, &STEEL.into(), &request(&[3])).expect_err("no element");
     assert!(error.to_string().contains("NOTCH") && error.to_string().contains("node 4"), "{error}");
 }

@@ -1,10 +1,11 @@
 //! Geometric stiffness of unit loads: closed forms of rods, and the work of loads on displacements of second order.
 
 use faer::Mat;
-use ffrf_fe::elements::{Material, quadratic_brick};
+use ffrf_fe::elements::{Material, assemble_materials, quadratic_brick};
 use ffrf_fe::geometric_stiffness::{GeometricStiffnessError, PrestressSupport, geometric_stiffness};
 use ffrf_fe::modes::{ModeRequest, compute_modes};
-use ffrf_fe::{Elasticity, FeError, FeModel, ModeBasis};
+use ffrf_fe::stress::nodal_stress;
+use ffrf_fe::{Elasticity, FeError, FeModel, ModeBasis, PartElasticity};
 use ffrf_model::{GeometricStiffness, Mode, ModeKind};
 
 /// Without Poisson's effect the stress of a pulled rod is that of the closed form everywhere.
@@ -67,6 +68,59 @@ fn a_rod_held_at_one_end_has_the_stiffness_of_its_axial_force() {
     let shifted = geometric_stiffness(&moved, &basis, &support, None).expect("one material");
     let expected = linear + 0.3 * uniform;
     near("moved", shifted.linear_load[0][0][0][0], expected, DISCRETISED * expected);
+}
+
+/// Two rods end to end, the second lighter and stiffer: the axial force knows their densities only, the displacements both moduli.
+#[test]
+fn a_rod_of_two_materials_has_the_stiffness_of_its_axial_force_and_its_stress() {
+    let whole = rod();
+    let light = Material { youngs_modulus: 9.0e6, poisson_ratio: 0.0, density: 300.0 };
+    let middle = |element: &ffrf_fe::Element| {
+        element.nodes.iter().map(|&row| whole.nodes.positions[row][0]).sum::<f64>()
+            / element.nodes.len() as f64
+    };
+    const SEAM: f64 = 0.4;
+    let of_element = whole.elements.iter().map(|element| usize::from(middle(element) > SEAM)).collect();
+    let materials = [("heavy".to_owned(), ROD), ("light".to_owned(), light)];
+    let model = assemble_materials(whole.nodes.clone(), whole.elements.clone(), &materials, of_element);
+    let model = model.expect("sound elements");
+    let area = LENGTHS[1] * LENGTHS[2];
+    let masses = [ROD.density * area * SEAM, light.density * area * (1.0 - SEAM)];
+    let total: f64 = model.mass.val().iter().sum();
+    near("mass", total, masses[0] + masses[1], EXACT * total);
+    let entries = model.mass.triplet_iter();
+    let first: f64 = entries.map(|entry| model.nodes.positions[entry.row][0] * entry.val).sum();
+    let expected = 0.5 * SEAM * masses[0] + 0.5 * (1.0 + SEAM) * masses[1];
+    near("first moment of mass", first, expected, EXACT * expected);
+
+    // N = A (ρ₁ (c - x) + ρ₂ (1 - c)) before the seam at c, A ρ₂ (1 - x) behind it: Γ = ∫ N 4 x².
+    let found = of(&model, &PrestressSupport::Clamped { nodes: root(&model) });
+    let c = SEAM;
+    let before = ROD.density * c.powi(4) / 3.0 + light.density * (1.0 - c) * c.powi(3) * 4.0 / 3.0;
+    let behind = light.density * (1.0 / 3.0 - c.powi(3) * 4.0 / 3.0 + c.powi(4));
+    let expected = area * (before + behind);
+    for mode in 0..2 {
+        near("uniform", found.uniform_load[mode][mode][0], expected, EXACT * expected);
+    }
+
+    // A pull of σ: the strain is σ / E in each.
+    const PULL: f64 = 5000.0;
+    let shapes = Mat::from_fn(3 * model.nodes.len(), 1, |row, _| {
+        let x = model.nodes.positions[row / 3][0];
+        let along = x.min(c) / ROD.youngs_modulus + (x - c).max(0.0) / light.youngs_modulus;
+        if row % 3 == 0 { PULL * along } else { 0.0 }
+    });
+    let elasticity = PartElasticity::of_model(&model).expect("two materials");
+    for row in 0..model.nodes.len() {
+        let found = nodal_stress(&model, shapes.as_ref(), &elasticity, row).expect("sound elements");
+        let stress = found.expect("a node of an element")[0];
+        near("pull", stress[0], PULL, EXACT * PULL);
+        stress[1..].iter().for_each(|&other| near("other stresses", other, 0.0, EXACT * PULL));
+    }
+    let mut short = model;
+    short.element_materials.pop();
+    let elasticity = PartElasticity::of_model(&short).expect("two materials");
+    assert!(nodal_stress(&short, shapes.as_ref(), &elasticity, short.nodes.len() - 1).is_err());
 }
 
 /// In mean axes a rod about its middle is pulled by centrifugal forces only, N = ρA (L²/4 - s²) / 2; accelerations of the frame
@@ -186,6 +240,8 @@ fn what_cannot_be_computed_is_refused_with_what_is_missing() {
         name: "RUBBER".to_owned(),
         elasticity: Some(Elasticity { youngs_modulus: 1e6, poisson_ratio: 0.4 }),
     });
+    // Not known which element is of which.
+    two.element_materials.clear();
     assert!(refused(&two, None).to_string().contains("RUBBER"));
     two.materials[1].elasticity = None;
     assert!(matches!(refused(&two, None), GeometricStiffnessError::NotIsotropic { .. }));

@@ -2,6 +2,7 @@
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking, in its helpers too")]
 
 mod beam;
+mod calculix_section;
 mod calculix_stress;
 mod conservation;
 mod elastic_force;

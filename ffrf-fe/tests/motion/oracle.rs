@@ -46,6 +46,7 @@ fn model() -> (FeModel, ModeBasis) {
         fixed_dofs: vec![],
         elements: vec![],
         materials: vec![],
+        element_materials: vec![],
         sources: vec![],
         notes: vec![],
     };

@@ -1,13 +1,15 @@
 //! Section forces: the load on one side of a cut, the stresses inside of the elements, and the balance of both sides.
 
-use faer::Mat;
+use faer::linalg::solvers::Solve;
+use faer::sparse::Triplet;
+use faer::{Mat, Side};
 use ffrf_fe::elements::{Material, quadratic_brick};
 use ffrf_fe::modes::{ModeRequest, compute_modes};
 use ffrf_fe::section::{SectionError, SectionRequest, section_marker};
-use ffrf_fe::{Elasticity, FeError, FeModel, ModeBasis};
+use ffrf_fe::{Elasticity, FeError, FeModel, ModeBasis, SparseMatrix};
 use ffrf_model::{Mode, ModeKind, SectionMarker, Vector3};
 
-const STEEL: Material = Material { youngs_modulus: 210e9, poisson_ratio: 0.3, density: 7850.0 };
+pub const STEEL: Material = Material { youngs_modulus: 210e9, poisson_ratio: 0.3, density: 7850.0 };
 const EDGES: [f64; 3] = [0.5, 0.05, 0.03];
 
 /// Round-off of a static solution beside the load that it is of.
@@ -28,15 +30,20 @@ fn cross(a: Vector3, b: Vector3) -> Vector3 {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// K u = f on the nodes that are not held, dense.
-fn at_rest(model: &FeModel, force: &[f64]) -> ModeBasis {
+/// K u = f, with the nodes at x = 0 held.
+pub fn at_rest(model: &FeModel, force: &[f64]) -> ModeBasis {
     let size = force.len();
     let held = |dof: usize| model.nodes.positions[dof / 3][0] == 0.0;
     let free: Vec<usize> = (0..size).filter(|&dof| !held(dof)).collect();
-    let stiffness = model.stiffness.as_ref().expect("a stiffness") * Mat::<f64>::identity(size, size);
-    let reduced = Mat::from_fn(free.len(), free.len(), |i, j| stiffness[(free[i], free[j])]);
+    let mut place = vec![None; size];
+    free.iter().enumerate().for_each(|(k, &dof)| place[dof] = Some(k));
+    let entries = model.stiffness.as_ref().expect("a stiffness").triplet_iter();
+    let entries =
+        entries.filter_map(|entry| Some(Triplet::new(place[entry.row]?, place[entry.col]?, *entry.val)));
+    let entries: Vec<Triplet<usize, usize, f64>> = entries.collect();
+    let reduced = SparseMatrix::try_new_from_triplets(free.len(), free.len(), &entries).expect("a matrix");
     let right = Mat::from_fn(free.len(), 1, |i, _| force[free[i]]);
-    let solved = faer::linalg::solvers::Solve::solve(&reduced.partial_piv_lu(), &right);
+    let solved = reduced.sp_cholesky(Side::Lower).expect("positive definite").solve(&right);
     let mut shapes = Mat::zeros(size, 1);
     for (i, &dof) in free.iter().enumerate() {
         shapes[(dof, 0)] = solved[(i, 0)];

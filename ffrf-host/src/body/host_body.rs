@@ -208,11 +208,6 @@ impl HostBody {
 }
 
 impl HostBody {
-    /// Whether loads at some marker stiffen it, so that the rows of the marker follow the deformation.
-    pub fn has_load_stiffness(&self) -> bool {
-        self.marker_loads.iter().any(Option::is_some)
-    }
-
     /// The section markers of a model, in its order.
     pub fn section_markers(body: &ReducedBody) -> Vec<SectionMarker<HostModal, f64>> {
         let rows = |list: &[[f64; 6]], first: usize| -> [HostModal; 3] {

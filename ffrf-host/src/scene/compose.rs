@@ -116,7 +116,6 @@ impl Scene {
         let body_names: Vec<String> = named.iter().map(|body| body.name.clone()).collect();
         let marker_names = named.iter().map(|body| body.marker_names.clone()).collect();
         let models = named.iter().map(|body| body.model.clone()).collect();
-        check_load_stiffness(&settings, &named)?;
         let parts = named.into_iter().map(|body| (body.body, body.markers)).collect();
         let mechanism = HostMechanism::new(parts, connections, Vector3::from(file.simulation.gravity))?
             .with_elements(elements)
@@ -256,17 +255,4 @@ fn check_name(section: &str, name: &str) -> Result<(), SceneError> {
         "names of letters, digits, `_` and `-`, other than `ground`",
         format!("`{}`", name.escape_debug()),
     ))
-}
-
-/// The energy-momentum method reads rows of markers that are constant.
-fn check_load_stiffness(settings: &Settings, bodies: &[NamedBody]) -> Result<(), SceneError> {
-    let bent = bodies.iter().find(|body| body.body.has_load_stiffness());
-    match bent {
-        Some(body) if settings.integrator == Integrator::EnergyMomentum => Err(SceneError::value(
-            "simulation.integrator",
-            "another method, or `fidelity = \"unstiffened\"`, where loads at markers stiffen a body",
-            format!("`energy_momentum` with body `{}`", body.name),
-        )),
-        _ => Ok(()),
-    }
 }

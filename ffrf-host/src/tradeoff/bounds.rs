@@ -81,8 +81,17 @@ pub struct ForceSize {
 }
 
 impl ForceSize {
-    fn nothing(modes: usize) -> Self {
+    pub(super) fn nothing(modes: usize) -> Self {
         Self { force: 0.0, moment: 0.0, modal: vec![0.0; modes] }
+    }
+
+    /// The most that both together can be.
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        Self {
+            force: self.force + other.force,
+            moment: self.moment + other.moment,
+            modal: self.modal.iter().zip(&other.modal).map(|(own, other)| own + other).collect(),
+        }
     }
 }
 

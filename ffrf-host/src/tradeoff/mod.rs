@@ -15,6 +15,7 @@ mod cost;
 mod effort;
 mod error;
 mod front;
+mod held;
 mod march;
 mod modes;
 mod outcome;

@@ -1,4 +1,4 @@
-//! What errors are taken against: every mode and term, integrated with error control, twice.
+//! What errors are taken against: every mode and every term that the bodies hold, integrated with error control, twice.
 
 use std::thread;
 
@@ -51,6 +51,8 @@ pub struct Reference {
     pub steps: u64,
     /// Modes of the body that has most.
     pub modes: usize,
+    /// Every term of the kinetic energy that all bodies hold.
+    pub fidelity: Fidelity,
 }
 
 impl Reference {
@@ -69,7 +71,8 @@ impl Reference {
         quantities: &[Quantity],
         options: ReferenceOptions,
     ) -> Result<(Self, Variant, Vec<Vec<f64>>), TradeoffError> {
-        let variant = study.variant(&study.all_modes(), &Fidelity::Full)?;
+        let fidelity = study.richest();
+        let variant = study.variant(&study.all_modes(), &fidelity)?;
         let channels = Channel::of(&variant.scene, quantities)?;
         let width: usize = channels.iter().map(Channel::width).sum();
         let mut everything = channels.clone();
@@ -95,6 +98,7 @@ impl Reference {
             tolerance: options.tolerance,
             steps,
             modes: study.most_modes(),
+            fidelity,
         };
         reference.own_errors = reference.errors(&coarse);
         Ok((reference, variant, states))

@@ -10,6 +10,7 @@ use super::TradeoffError;
 use super::channel::{Channel, Quantity};
 use super::configuration::Configuration;
 use super::cost::StaticCost;
+use super::held::{Held, with_fidelities};
 use super::modes::Modes;
 use crate::scene::file::{BodyTable, FidelityValue, FunctionValue, SceneFile};
 use crate::scene::{Coordinates, Integrator, ModesValue, Scene, SceneError, Settings, StepChoice};
@@ -21,6 +22,7 @@ pub struct Study {
     folder: PathBuf,
     /// For each body its modes; none of rigid ones.
     available: Vec<Option<usize>>,
+    held: Held,
     own: Settings,
     /// Intervals between the times at which errors are taken.
     intervals: usize,
@@ -51,6 +53,7 @@ impl Study {
 
     /// The study of a scene whose files are looked for in `folder`.
     pub fn new(file: SceneFile, folder: PathBuf) -> Result<Self, SceneError> {
+        let file = with_fidelities(&file, &folder);
         // the scene itself must be sound, not only what becomes of it
         let scene = Scene::compose(&file, &folder)?;
         let own = scene.settings;
@@ -59,7 +62,7 @@ impl Study {
         let counts = whole.mechanism.bodies().iter().map(HostBody::mode_count);
         let available = flexible.zip(counts).map(|(flexible, count)| flexible.then_some(count)).collect();
         let intervals = (own.duration / own.output_step).round().clamp(1.0, MOST_INTERVALS) as usize;
-        Ok(Self { file, folder, available, own, intervals })
+        Ok(Self { file, folder, available, held: Held::by(&whole), own, intervals })
     }
 
     /// The files that the scene names: models and tables of functions.
@@ -77,7 +80,7 @@ impl Study {
 
     /// The channels that quantities name. Errors: a quantity that the scene does not have.
     pub fn channels(&self, quantities: &[Quantity]) -> Result<Vec<Channel>, TradeoffError> {
-        let variant = self.variant(&self.all_modes(), &Fidelity::Full)?;
+        let variant = self.variant(&self.all_modes(), &self.richest())?;
         Channel::of(&variant.scene, quantities)
     }
 
@@ -89,6 +92,28 @@ impl Study {
     /// All that they have.
     pub fn all_modes(&self) -> Modes {
         Modes::first(self.most_modes())
+    }
+
+    /// Every term of the kinetic energy that all flexible bodies hold: what the reference has. `full`, but of bodies that were
+    /// read from integrals and lack some of second order.
+    pub fn richest(&self) -> Fidelity {
+        self.held.richest()
+    }
+
+    /// The levels of terms that all flexible bodies have, from the cheapest to [`richest`](Self::richest): `constant`, `linear`,
+    /// `unstiffened` where a body has geometric stiffness, `full`, as far as they hold what these keep.
+    pub fn levels(&self) -> Vec<Fidelity> {
+        self.held.levels()
+    }
+
+    /// Errors: a flexible body lacks a term of one of the fidelities.
+    pub fn check_held(&self, fidelities: &[Fidelity]) -> Result<(), SceneError> {
+        fidelities.iter().try_for_each(|fidelity| self.held.check(fidelity))
+    }
+
+    /// What the bodies hold of second order.
+    pub(super) fn held(&self) -> &Held {
+        &self.held
     }
 
     /// How the scene's file says that it is simulated.
@@ -123,6 +148,7 @@ impl Study {
             file,
             folder: self.folder.clone(),
             available: self.available.clone(),
+            held: self.held.clone(),
             own: Settings { duration, output_step, ..self.own },
             intervals: intervals as usize,
         })
@@ -170,8 +196,11 @@ impl Study {
 
     /// The flexible body `index` with all its modes and other terms. Errors: its model cannot be read.
     pub(super) fn body_with(&self, index: usize, fidelity: &Fidelity) -> Result<HostBody, TradeoffError> {
+        // another body may not hold these terms
+        let others = self.richest();
         let variant = with_bodies(&self.file, |body, table| {
             if let Some(available) = self.available.get(body).copied().flatten() {
+                let fidelity = if body == index { fidelity } else { &others };
                 with_modes(table, available, &Modes::first(available), fidelity);
             }
         });

@@ -1,6 +1,6 @@
 //! The grid that is run where the user names none.
 
-use ffrf_codegen::{Fidelity, ScalarType};
+use ffrf_codegen::ScalarType;
 
 use super::{Axes, Modes, Study};
 use crate::scene::Integrator;
@@ -14,7 +14,7 @@ const INTEGRATORS: [Integrator; 3] =
     [Integrator::Rk4, Integrator::LinearlyImplicit, Integrator::GeneralizedAlpha];
 
 impl Axes {
-    /// Modes doubled up to all, three levels of terms, both number types, one explicit and two implicit methods, and steps from
+    /// Modes doubled up to all, the levels of terms that the bodies have, both number types, one explicit and two implicit methods, and steps from
     /// the interval between samples down.
     pub fn usual(study: &Study) -> Self {
         let most = study.most_modes();
@@ -26,7 +26,7 @@ impl Axes {
                 .chain((most > 0).then_some(most))
                 .map(Modes::first)
                 .collect(),
-            fidelities: vec![Fidelity::Constant, Fidelity::Linear, Fidelity::Full],
+            fidelities: study.levels(),
             scalars: vec![ScalarType::F64, ScalarType::F32],
             integrators: INTEGRATORS.to_vec(),
             steps: (0..STEPS).map(|k| study.interval() / STEP_FACTOR.powi(k)).collect(),

@@ -147,10 +147,10 @@ fn bounds_of_a_plan_hold_in_a_closer_look_and_dropping_costs_no_more_than_was_sa
         let closer = plan(&close, &PlanOptions { error: 1e3 * error, ..options.clone() }).unwrap();
         assert!(!found.motion.terms.is_empty(), "{name}");
         for (bound, reached) in found.motion.terms.iter().zip(&closer.motion.terms) {
-            assert_eq!((&bound.body, bound.term), (&reached.body, reached.term));
+            assert_eq!((&bound.body, &bound.terms), (&reached.body, &reached.terms));
             for block in 0..3 {
                 let (most, is) = (bound.bound[block], reached.reached[block]);
-                assert!(is <= most + 1e-9, "{name}, {}, block {block}: {is} of {most}", bound.term.name());
+                assert!(is <= most + 1e-9, "{name}, {}, block {block}: {is} of {most}", bound.name());
             }
         }
         let tolerance = 0.1 * found.reference.tolerance;

@@ -6,7 +6,7 @@ import os
 import tempfile
 import warnings
 from pathlib import Path
-from typing import Any, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Union, cast
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +16,8 @@ from ffrf import _native
 PathLike = Union[str, "os.PathLike[str]"]
 #: A file, an array, or a sparse matrix of SciPy.
 Matrix = Union[PathLike, ArrayLike, Any]
+#: Density, Young's modulus and Poisson's ratio.
+SolidMaterial = Tuple[float, float, float]
 #: A node set of the deck, a node id, or several.
 NodeChoice = Union[str, int, Sequence[int]]
 
@@ -26,9 +28,12 @@ class ImportRemark(UserWarning):
 
 def reduce(
     *,
+    mesh: Optional[PathLike] = None,
+    material: Union[SolidMaterial, Mapping[Optional[str], SolidMaterial], None] = None,
     nodes: Optional[Matrix] = None,
     abaqus: Optional[PathLike] = None,
     calculix: Optional[PathLike] = None,
+    nastran: Optional[PathLike] = None,
     ansys: Optional[PathLike] = None,
     mass: Optional[Matrix] = None,
     stiffness: Optional[Matrix] = None,
@@ -47,6 +52,7 @@ def reduce(
     rayleigh: Optional[Tuple[float, float]] = None,
     marker: Optional[Mapping[str, NodeChoice]] = None,
     stress: Optional[Mapping[str, NodeChoice]] = None,
+    section: Optional[Mapping[str, str]] = None,
     interface: Sequence[str] = (),
     basis: Optional[str] = None,
     raw: bool = False,
@@ -57,6 +63,7 @@ def reduce(
     keep_importance: Optional[float] = None,
     keep_count: Optional[int] = None,
     geometric_stiffness: bool = False,
+    load_stiffness: Sequence[str] = (),
     elastic: Optional[Tuple[float, float]] = None,
     surface: Optional[PathLike] = None,
     view: Optional[PathLike] = None,
@@ -69,6 +76,9 @@ def reduce(
     ``stiffness`` (3N x 3N), ``mode_shapes`` (3N x M) and ``modal_stiffness`` (M x M) may be arrays as well, and the matrices
     sparse ones of SciPy or triples ``(values, (rows, columns))``, where equal places add up. The body's provenance then names
     the file that such an array was saved to, with its hash.
+
+    ``mesh`` is a mesh of gmsh or VTK, ``material`` what its solids are made of: density, Young's modulus and Poisson's ratio in
+    the units of the mesh, or such triples by the name of a group of solids, with ``None`` for all solids that no named group holds.
 
     What the command says on standard error is warned of as :class:`ImportRemark`; what it refuses raises :class:`Error`.
     """
@@ -84,6 +94,8 @@ def reduce(
         flags.update(
             abaqus=abaqus,
             calculix=calculix,
+            nastran=nastran,
+            material=_materials(material),
             ansys=ansys,
             mapping=mapping,
             mass_form=mass_form,
@@ -98,6 +110,7 @@ def reduce(
             rayleigh=rayleigh,
             marker=[f"{name}={_nodes(choice)}" for name, choice in (marker or {}).items()],
             stress=[f"{name}={_nodes(choice)}" for name, choice in (stress or {}).items()],
+            section=[f"{name}={cut}" for name, cut in (section or {}).items()],
             interface=list(interface),
             basis=basis,
             raw=raw,
@@ -108,6 +121,7 @@ def reduce(
             keep_importance=keep_importance,
             keep_count=keep_count,
             geometric_stiffness=geometric_stiffness,
+            load_stiffness=",".join(load_stiffness) or None,
             elastic=elastic,
             surface=surface,
             view=view,
@@ -116,6 +130,8 @@ def reduce(
         )
         # the command must be told where to write; here nothing is written
         words = ["--output=body.ffrf.json", *_words(flags)]
+        if mesh is not None:
+            words += ["--", os.fspath(mesh)]
         body, _, remarks = _native.reduce_words(words)
     for remark in remarks:
         warnings.warn(remark, ImportRemark, stacklevel=2)
@@ -150,6 +166,13 @@ def _text(value: object) -> str:
     if isinstance(value, Iterable):
         return ",".join(_text(one) for one in cast("Iterable[object]", value))
     raise TypeError(f"expected a text, a number or several, found {value!r}")
+
+
+def _materials(material: Union[SolidMaterial, Mapping[Optional[str], SolidMaterial], None]) -> List[str]:
+    if material is None:
+        return []
+    by_group: Mapping[Optional[str], SolidMaterial] = material if isinstance(material, Mapping) else {None: material}
+    return [("" if group is None else f"{group}=") + _text(constants) for group, constants in by_group.items()]
 
 
 def _nodes(choice: NodeChoice) -> str:

@@ -1,6 +1,6 @@
 //! Markers whose rows follow the deformation, because loads there stress the body.
 
-use nalgebra::{Matrix3, RealField, SVector};
+use nalgebra::{Matrix3, RealField, SVector, Vector3};
 
 use super::marker::{SmallRotation, combine};
 use super::{FlexibleBody, Marker, MarkerMotion, ModalVector, PlacedMarker, State};
@@ -26,6 +26,32 @@ where
         }
     }
     bent
+}
+
+/// Place from the frame origin and small rotation of a marker whose rows follow the deformation: `bent` are those in this state,
+/// `straight` those of the undeformed body. Both are integrals of the rows along q, which are linear in it: means of both.
+fn integrated<V: ModalVector<T>, T: RealField + Copy>(
+    bent: &Marker<V, T>,
+    straight: &Marker<V, T>,
+    q: &V,
+) -> [Vector3<T>; 2] {
+    let half: T = nalgebra::convert(0.5);
+    [
+        (bent.position(q) + straight.position(q)) * half,
+        (bent.small_rotation(q) + straight.small_rotation(q)) * half,
+    ]
+}
+
+/// Place from the frame origin and small rotation of a marker of a body.
+pub(crate) fn place<B: FlexibleBody<T>, T: RealField + Copy>(
+    body: &B,
+    marker: &Marker<B::Modal, T>,
+    q: &B::Modal,
+) -> [Vector3<T>; 2] {
+    match body.bent_marker(marker, q) {
+        Some(bent) => integrated(&bent, marker, q),
+        None => [marker.position(q), marker.small_rotation(q)],
+    }
 }
 
 /// A marker of a body in a state, handed to what needs it.
@@ -61,17 +87,16 @@ pub(crate) fn marker_motion<B: FlexibleBody<T>, T: RealField + Copy>(
 }
 
 impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
-    /// A marker whose rows follow the deformation: `bent` are those in this state, `straight` those of the undeformed body. The place
-    /// is the integral of the rows along q, which are linear in it: the mean of both.
+    /// A marker whose rows follow the deformation: `bent` are those in this state, `straight` those of the undeformed body.
     #[inline]
     fn bent(bent: &'a Marker<V, T>, straight: &Marker<V, T>, state: &State<V, T>, axes: &Matrix3<T>) -> Self {
-        let (half, q): (T, _) = (nalgebra::convert(0.5), &state.modal_coordinates);
+        let [arm, rotation] = integrated(bent, straight, &state.modal_coordinates);
         Self {
             marker: bent,
             orientation: state.orientation,
             axes: *axes,
-            arm: (bent.position(q) + straight.position(q)) * half,
-            rotation: SmallRotation::new((bent.small_rotation(q) + straight.small_rotation(q)) * half),
+            arm,
+            rotation: SmallRotation::new(rotation),
         }
     }
 

@@ -68,8 +68,7 @@ pub trait FlexibleBody<T: RealField + Copy = f64> {
     /// The rows of a marker in the state `q`, if they follow the deformation: where loads at the marker stress the body, it moves by
     /// terms of second order in q, and its rows are φ_μ - Γ_μν q_ν. `None` for a marker whose rows are constant.
     ///
-    /// The position is not changed: the place in the state `q` is the mean of those that both markers give. The energy-momentum
-    /// method reads the constant rows.
+    /// The position is not changed: the place in the state `q` is the mean of those that both markers give.
     fn bent_marker(
         &self,
         marker: &Marker<Self::Modal, T>,

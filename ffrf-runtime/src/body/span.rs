@@ -226,7 +226,7 @@ fn velocities<V: ModalVector<T>, T: RealField + Copy>(state: &State<V, T>) -> Mo
     }
 }
 
-fn matrix<T: RealField + Copy>(orientation: &UnitQuaternion<T>) -> Matrix3<T> {
+pub(super) fn matrix<T: RealField + Copy>(orientation: &UnitQuaternion<T>) -> Matrix3<T> {
     orientation.to_rotation_matrix().into_inner()
 }
 

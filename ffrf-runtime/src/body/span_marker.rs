@@ -2,18 +2,22 @@
 
 use nalgebra::{Matrix3, RealField, Vector3};
 
+use super::bent_marker::{marker_motion, place};
 use super::marker::{combine, transposed};
 use super::modal_vector::scatter;
-use super::span::{Span, half_way_orientation, turn_between};
-use super::{GeneralisedForce, Marker, MarkerMotion, ModalVector, PlacedMarker, Wrench};
+use super::span::{Span, half_way_orientation, matrix, turn_between};
+use super::{FlexibleBody, GeneralisedForce, Marker, MarkerMotion, ModalVector, Wrench};
 use crate::six::{Square, zeros};
 
 /// A marker of a body over a [`Span`].
-#[derive(Debug, Clone)]
-pub(crate) struct SpanMarker<'a, V, T: RealField + Copy> {
-    marker: &'a Marker<V, T>,
-    span: &'a Span<V, T>,
-    /// x + Ψ q̄, body frame.
+pub(crate) struct SpanMarker<'a, B: FlexibleBody<T>, T: RealField + Copy> {
+    body: &'a B,
+    marker: &'a Marker<B::Modal, T>,
+    /// The rows half way, if they follow the deformation. They are linear in q, and with stiffness that is symmetric: place and small
+    /// rotation change over the step by these rows times Δq, exactly.
+    bent: Option<Marker<B::Modal, T>>,
+    span: &'a Span<B::Modal, T>,
+    /// Mean of the places at both ends from the frame origin, body frame; x + Ψ q̄ where rows are constant.
     arm: Vector3<T>,
     /// Mean of the small rotations.
     rotation: Vector3<T>,
@@ -21,20 +25,26 @@ pub(crate) struct SpanMarker<'a, V, T: RealField + Copy> {
     share: T,
 }
 
-impl<'a, V: ModalVector<T>, T: RealField + Copy> SpanMarker<'a, V, T> {
-    pub(crate) fn new(marker: &'a Marker<V, T>, span: &'a Span<V, T>) -> Self {
+impl<'a, B: FlexibleBody<T>, T: RealField + Copy> SpanMarker<'a, B, T> {
+    pub(crate) fn new(body: &'a B, marker: &'a Marker<B::Modal, T>, span: &'a Span<B::Modal, T>) -> Self {
         let (half, quarter): (T, T) = (nalgebra::convert(0.5), nalgebra::convert(0.25));
-        let first = marker.small_rotation(&span.begin.modal_coordinates);
-        let last = marker.small_rotation(&span.end.modal_coordinates);
+        let [first_arm, first] = place(body, marker, &span.begin.modal_coordinates);
+        let [last_arm, last] = place(body, marker, &span.end.modal_coordinates);
         Self {
+            body,
             marker,
+            bent: body.bent_marker(marker, &span.middle.modal_coordinates),
             span,
-            arm: (marker.position(&span.begin.modal_coordinates)
-                + marker.position(&span.end.modal_coordinates))
-                * half,
+            arm: (first_arm + last_arm) * half,
             rotation: (first + last) * half,
             share: T::one() / (T::one() + first.dot(&last) * quarter),
         }
+    }
+
+    /// Place and motion at both ends.
+    pub(crate) fn ends(&self) -> [MarkerMotion<T>; 2] {
+        [&self.span.begin, &self.span.end]
+            .map(|state| marker_motion(self.body, self.marker, state, &matrix(&state.orientation)))
     }
 
     /// Means of the place at both ends; velocities are displacement and rotation vector over the step.
@@ -43,16 +53,14 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> SpanMarker<'a, V, T> {
     /// should. No biases.
     pub(crate) fn motion(&self) -> MarkerMotion<T> {
         let half: T = nalgebra::convert(0.5);
-        let span = self.span;
-        let first = PlacedMarker::new(self.marker, &span.begin).motion(&span.begin);
-        let last = PlacedMarker::new(self.marker, &span.end).motion(&span.end);
+        let [first, last] = self.ends();
         let mut motion = MarkerMotion::fixed(
             (first.position + last.position) * half,
             half_way_orientation(&first.orientation, &last.orientation),
         );
         motion.mean_axes = Some((first.axes() + last.axes()) * half);
-        motion.velocity = (last.position - first.position) / span.step;
-        motion.angular_velocity = turn_between(&first.orientation, &last.orientation) / span.step;
+        motion.velocity = (last.position - first.position) / self.span.step;
+        motion.angular_velocity = turn_between(&first.orientation, &last.orientation) / self.span.step;
         motion
     }
 
@@ -76,12 +84,13 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> SpanMarker<'a, V, T> {
     /// θ, whose Cayley map turns the marker's triad from beginning to end, is composed of a = h Ω̄ and of b = A_0 c with
     /// c = W̄ Δϑ, W̄ = (I + ½ ϑ̄~) / (1 + ϑ_0 · ϑ_1 / 4): θ = (a + b + ½ a × b) / (1 - a · b / 4), where the product is shared
     /// between both.
-    pub(crate) fn generalised_force(&self, wrench: &Wrench<T>) -> GeneralisedForce<V, T> {
+    pub(crate) fn generalised_force(&self, wrench: &Wrench<T>) -> GeneralisedForce<B::Modal, T> {
         let (half, quarter): (T, T) = (nalgebra::convert(0.5), nalgebra::convert(0.25));
         let span = self.span;
         let mut turning = span.end.modal_coordinates.clone();
         turning.add_scaled(-T::one(), &span.begin.modal_coordinates);
-        let change = combine(&self.marker.rotation, &turning);
+        let rows = self.bent.as_ref().unwrap_or(self.marker);
+        let change = combine(&rows.rotation, &turning);
         let relative = (change + self.rotation.cross(&change) * half) * self.share;
         let (a, b) = (span.turn, span.begin.to_inertial(&relative));
         let composed = T::one() / (T::one() - a.dot(&b) * quarter);
@@ -90,10 +99,10 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> SpanMarker<'a, V, T> {
         let rotation: &Matrix3<T> = &span.mean_rotation;
         let force = span.to_mean(&wrench.force);
         let moment = span.to_mean(&((rotation * self.arm).cross(&wrench.force) + on_frame));
-        let mut modal = transposed(&self.marker.translation, &force);
+        let mut modal = transposed(&rows.translation, &force);
         let local = span.begin.to_body(&on_modes);
         let turned = (local - self.rotation.cross(&local) * half) * self.share;
-        for (row, component) in self.marker.rotation.iter().zip(turned.iter()) {
+        for (row, component) in rows.rotation.iter().zip(turned.iter()) {
             modal.add_scaled(*component, row);
         }
         GeneralisedForce { force, moment, modal }
@@ -132,17 +141,23 @@ mod tests {
     #[test]
     fn a_wrench_does_the_work_of_the_displacement() {
         let span = span();
+        for body in [Points::new(), Points::with_loads()] {
+            wrenches_work(&body, &span);
+        }
+    }
+
+    fn wrenches_work(body: &Points, span: &Span<Vector2<f64>, f64>) {
         let rows =
             |k: f64| core::array::from_fn(|i| Vector2::new((k + i as f64).sin(), (2.0 * k - i as f64).cos()));
         let marker = Marker {
             position: Vector3::new(0.4, 0.1, -0.3),
             translation: rows(0.3),
             rotation: rows(1.1),
-            stressing: None,
+            stressing: Some(0),
         };
-        let at = SpanMarker::new(&marker, &span);
+        let at = SpanMarker::new(body, &marker, span);
         let motion = at.motion();
-        let mean = mean_velocities(&span);
+        let mean = mean_velocities(span);
         for k in 0..6 {
             let mut wrench = Wrench::zero();
             if k < 3 {
@@ -155,8 +170,7 @@ mod tests {
             assert!((work - expected).abs() < ROUND_OFF, "{k}: {work} {expected}");
         }
         // the rotation vector takes the mean axes to the change of the axes
-        let ends =
-            [&span.begin, &span.end].map(|state| PlacedMarker::new(&marker, state).motion(state).axes());
+        let ends = at.ends().map(|end| end.axes());
         let change = (motion.angular_velocity * span.step).cross_matrix() * motion.axes();
         assert!((ends[1] - ends[0] - change).amax() < ROUND_OFF);
     }
@@ -188,6 +202,8 @@ mod tests {
         masses: Vector4<f64>,
         places: [Vector3<f64>; 4],
         shapes: [[Vector3<f64>; 2]; 4],
+        /// Stiffness of unit loads at a marker: symmetric, else special in nothing.
+        loads: Option<[[[f64; 2]; 2]; 6]>,
     }
 
     impl Points {
@@ -197,7 +213,13 @@ mod tests {
                 masses: Vector4::new(0.5, 0.8, 0.6, 0.9),
                 places: core::array::from_fn(|i| vector(i as f64)),
                 shapes: core::array::from_fn(|i| [vector(5.0 + i as f64), vector(9.5 + 2.0 * i as f64)]),
+                loads: None,
             }
+        }
+
+        fn with_loads() -> Self {
+            let stiffness = |k: f64| [[k.sin(), (1.7 * k).cos()], [(1.7 * k).cos(), (0.4 * k).sin()]];
+            Self { loads: Some(core::array::from_fn(|k| stiffness(0.3 + k as f64))), ..Self::new() }
         }
 
         fn arms(&self, q: &Vector2<f64>) -> [Vector3<f64>; 4] {
@@ -217,7 +239,7 @@ mod tests {
         }
     }
 
-    impl super::super::FlexibleBody<f64> for Points {
+    impl FlexibleBody<f64> for Points {
         type Modal = Vector2<f64>;
 
         fn undeformed(&self) -> Vector2<f64> {
@@ -233,6 +255,14 @@ mod tests {
 
         fn stiffness(&self) -> super::super::ModalMatrix<Vector2<f64>, f64> {
             super::super::ModalMatrix::Diagonal(SVector::zeros())
+        }
+
+        fn bent_marker(
+            &self,
+            marker: &Marker<Vector2<f64>, f64>,
+            q: &Vector2<f64>,
+        ) -> Option<Marker<Vector2<f64>, f64>> {
+            self.loads.as_ref().map(|loads| super::super::bent(marker, loads, q, core::convert::identity))
         }
 
         fn damping(&self) -> super::super::ModalMatrix<Vector2<f64>, f64> {

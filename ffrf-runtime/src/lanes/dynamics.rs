@@ -59,9 +59,10 @@ impl<C: Copy, const M: usize, const G: usize, P, R> LaneBody<'_, C, M, G, P, R> 
     ) where
         R: Registers<T>,
     {
-        self.write_accelerations(state, q, q_dot, force, acceleration);
+        // Accelerations last: where they wait for a division, what stands before them is still being stored.
         state.write_quadratic_velocity(quadratic_velocity);
         self.write_mass_matrix(state, mass_matrix);
+        self.write_accelerations(state, q, q_dot, force, acceleration);
     }
 
     /// Accelerations [α; ω̇; q̈] under `force`, from which the caller subtracts the elastic and damping

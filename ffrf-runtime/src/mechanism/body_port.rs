@@ -7,7 +7,7 @@ use super::solved::Solved;
 use super::{AttachedRows, ImplicitTerms, Keeping, Level, Phase, Port, RigidFrame};
 use crate::body::{
     FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep, ModalVector,
-    Motion, PlacedMarker, Span, SpanMarker, State, Wrench, implicit_modal_mass, marker_motion, with_placed,
+    Motion, Span, SpanMarker, State, Wrench, implicit_modal_mass, marker_motion, with_placed,
 };
 use crate::integrators::StepError;
 use crate::rotation::matrix;
@@ -121,9 +121,11 @@ where
     /// Place and motion of any marker of this body, one that no joint uses among them.
     pub fn motion_of(&self, marker: &Marker<B::Modal, T>) -> MarkerMotion<T> {
         match &self.span {
-            Some((span, Phase::End)) => PlacedMarker::new(marker, &span.end).motion(&span.end),
-            Some((span, Phase::Mean)) => SpanMarker::new(marker, span).motion(),
-            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).motion(&self.state),
+            Some((span, Phase::End)) => {
+                marker_motion(self.body, marker, &span.end, &matrix(&span.end.orientation))
+            }
+            Some((span, Phase::Mean)) => SpanMarker::new(self.body, marker, span).motion(),
+            None => marker_motion(self.body, marker, &self.state, &self.axes),
         }
     }
 
@@ -135,8 +137,10 @@ where
 
     fn force_of(&self, marker: &Marker<B::Modal, T>, wrench: &Wrench<T>) -> GeneralisedForce<B::Modal, T> {
         match &self.span {
-            Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
-            None => PlacedMarker::with_axes(marker, &self.state, &self.axes).generalised_force(wrench),
+            Some((span, _)) => SpanMarker::new(self.body, marker, span).generalised_force(wrench),
+            None => with_placed(self.body, marker, &self.state, &self.axes, |placed| {
+                placed.generalised_force(wrench)
+            }),
         }
     }
 
@@ -167,13 +171,7 @@ where
     }
 
     fn generalised_force(&self, index: usize, wrench: &Wrench<T>) -> Option<GeneralisedForce<B::Modal, T>> {
-        let marker = self.markers.get(index)?;
-        Some(match &self.span {
-            Some((span, _)) => SpanMarker::new(marker, span).generalised_force(wrench),
-            None => with_placed(self.body, marker, &self.state, &self.axes, |placed| {
-                placed.generalised_force(wrench)
-            }),
-        })
+        Some(self.force_of(self.markers.get(index)?, wrench))
     }
 
     fn twist(&self, index: usize, motion: &Motion<B::Modal, T>) -> [Vector3<T>; 2] {
@@ -190,19 +188,16 @@ where
     K: Keeping<B::Modal, T>,
 {
     fn marker_motion(&self, index: usize) -> MarkerMotion<T> {
-        let Some(marker) = self.markers.get(index) else {
-            return MarkerMotion::fixed(self.state.position, self.state.orientation);
-        };
-        match &self.span {
-            None => marker_motion(self.body, marker, &self.state, &self.axes),
-            Some(_) => self.motion_of(marker),
+        match self.markers.get(index) {
+            Some(marker) => self.motion_of(marker),
+            None => MarkerMotion::fixed(self.state.position, self.state.orientation),
         }
     }
 
     fn marker_step(&self, marker: usize) -> Option<MarkerStep<T>> {
         let ((span, _), marker) = (self.span.as_ref()?, self.markers.get(marker)?);
-        let ends = [&span.begin, &span.end].map(|state| PlacedMarker::new(marker, state).motion(state));
-        Some(MarkerStep { ends, mean: SpanMarker::new(marker, span).motion(), step: span.step })
+        let at = SpanMarker::new(self.body, marker, span);
+        Some(MarkerStep { ends: at.ends(), mean: at.motion(), step: span.step })
     }
 
     fn push(&mut self, marker: usize, wrench: &Wrench<T>) {
@@ -345,7 +340,8 @@ where
         if let Some(frame) = &self.frame {
             match &self.span {
                 Some((span, _)) => {
-                    *effects = SpanMarker::new(place, span).generalised_forces(gradients, modal.as_mut());
+                    *effects =
+                        SpanMarker::new(self.body, place, span).generalised_forces(gradients, modal.as_mut());
                     frame.to_components(effects);
                 }
                 None => frame.effects(&place.position, gradients, effects),
@@ -359,7 +355,8 @@ where
         }
         match &self.span {
             Some((span, _)) => {
-                *effects = SpanMarker::new(place, span).generalised_forces(gradients, modal.as_mut());
+                *effects =
+                    SpanMarker::new(self.body, place, span).generalised_forces(gradients, modal.as_mut());
             }
             None => with_placed(self.body, place, &self.state, &self.axes, |placed| {
                 placed.generalised_forces(gradients, effects, modal.as_mut());

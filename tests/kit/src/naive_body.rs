@@ -101,6 +101,9 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
     fn first_moment(&self, q: &SVector<T, M>) -> Vector3<T> {
         let half: T = convert(0.5);
         let mut sum = (self.centre_of_mass + self.modal_centre_of_mass * q) * self.mass;
+        if !self.is_stiffened {
+            return sum;
+        }
         for mu in 0..M {
             for nu in 0..M {
                 sum -= self.uniform_load[mu][nu] * (half * q[mu] * q[nu]);
@@ -112,6 +115,9 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
     /// m B - [Γ_μν q_ν]_μ.
     fn modal_first_moment(&self, q: &SVector<T, M>) -> SMatrix<T, 3, M> {
         let mut moments = self.modal_centre_of_mass * self.mass;
+        if !self.is_stiffened {
+            return moments;
+        }
         for mu in 0..M {
             let mut column = moments.column(mu).into_owned();
             for nu in 0..M {
@@ -130,9 +136,11 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
             sum += (self.modal_inertia[mu] + self.modal_inertia[mu].transpose()) * q[mu];
             for nu in 0..M {
                 sum += self.modal_pair_inertia[mu][nu] * (q[mu] * q[nu]);
-                // The pair (ν, μ) brings the same Γ: half of Γ and half of its transpose each.
-                let second = inertia(&self.linear_load[mu][nu]);
-                sum -= (second + second.transpose()) * (half * q[mu] * q[nu]);
+                if self.is_stiffened {
+                    // The pair (ν, μ) brings the same Γ: half of Γ and half of its transpose each.
+                    let second = inertia(&self.linear_load[mu][nu]);
+                    sum -= (second + second.transpose()) * (half * q[mu] * q[nu]);
+                }
             }
         }
         sum
@@ -142,7 +150,10 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
     fn deformed_modal_inertia(&self, mu: usize, q: &SVector<T, M>) -> Matrix3<T> {
         let mut sum = self.modal_inertia[mu];
         for nu in 0..M {
-            sum += (self.modal_pair_inertia[nu][mu] - inertia(&self.linear_load[nu][mu])) * q[nu];
+            sum += self.modal_pair_inertia[nu][mu] * q[nu];
+            if self.is_stiffened {
+                sum -= inertia(&self.linear_load[nu][mu]) * q[nu];
+            }
         }
         sum
     }
@@ -153,7 +164,10 @@ impl<const M: usize, const N: usize, T: RealField + Copy> NaiveBody<M, N, T> {
         for mu in 0..M {
             let mut column = self.coupling[mu];
             for nu in 0..M {
-                column += (self.pair_coupling[nu][mu] - axial(&self.linear_load[nu][mu])) * q[nu];
+                column += self.pair_coupling[nu][mu] * q[nu];
+                if self.is_stiffened {
+                    column -= axial(&self.linear_load[nu][mu]) * q[nu];
+                }
             }
             coupling.set_column(mu, &column);
         }
@@ -260,8 +274,9 @@ impl<const M: usize, const N: usize, T: RealField + Copy> DenseForms<M, N, T> fo
         }
         // and what steady rates leave of second order: -Γ_μν q̇_μ q̇_ν
         let mut translational = centripetal + coriolis;
-        for mu in 0..M {
-            for nu in 0..M {
+        let loads = if self.is_stiffened { M } else { 0 };
+        for mu in 0..loads {
+            for nu in 0..loads {
                 translational -= self.uniform_load[mu][nu] * (q_dot[mu] * q_dot[nu]);
                 rotational -= axial(&self.linear_load[mu][nu]) * (q_dot[mu] * q_dot[nu]);
             }

@@ -12,12 +12,6 @@ pub fn frequencies(structure: &Structure, count: usize) -> Option<Vec<f64>> {
         eprintln!("SKIPPED: no ccx (Debian: calculix-ccx)");
         return None;
     }
-    if !structure.masses.is_empty() {
-        eprintln!(
-            "SKIPPED: CalculiX 2.20 refuses a mass at the point of a held rigid body (add_bo_st: coefficient should be 0)"
-        );
-        return None;
-    }
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("structure.inp"), deck(structure, count)).unwrap();
     let run =
@@ -106,7 +100,23 @@ fn deck(structure: &Structure, count: usize) -> String {
         writeln!(text, "*ELEMENT, TYPE=SPRING1, ELSET=SPRING{k}\n{number}, {node}").unwrap();
         writeln!(text, "*SPRING, ELSET=SPRING{k}\n{direction}\n{stiffness:.9e}").unwrap();
     }
+    // A mass is a node of its own, which goes along: CalculiX 2.20 does not take one at the point of a rigid body.
+    let mut carried = String::new();
+    for (k, (motion, mass)) in structure.masses.iter().enumerate() {
+        let (node, direction) = place(motion);
+        let point = last + 1 + k;
+        number += 1;
+        let [x, y, z] = structure.parts[motion.part].interfaces[motion.interface].reference_point();
+        writeln!(text, "*NODE\n{point}, {x:.12e}, {y:.12e}, {z:.12e}").unwrap();
+        writeln!(text, "*ELEMENT, TYPE=MASS, ELSET=MASS{k}\n{number}, {point}").unwrap();
+        writeln!(text, "*MASS, ELSET=MASS{k}\n{mass:.9e}").unwrap();
+        writeln!(text, "*EQUATION\n2\n{point}, {direction}, 1., {node}, {direction}, -1.").unwrap();
+        for other in (1..=3).filter(|&other| other != direction) {
+            writeln!(carried, "{point}, {other}, {other}").unwrap();
+        }
+    }
     text.push_str("*BOUNDARY\n");
+    text.push_str(&carried);
     for motion in &structure.held {
         let (node, direction) = place(motion);
         writeln!(text, "{node}, {direction}, {direction}").unwrap();

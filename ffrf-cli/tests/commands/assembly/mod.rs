@@ -15,7 +15,7 @@ use ffrf_fe::component_modes::{
     ComponentBasis, ComponentRequest, Interface, NodeSelection, component_modes, reduce_component_modes,
 };
 use ffrf_fe::elements::{Material, assemble, quadratic_brick};
-use ffrf_fe::import::{ModelFiles, NodeSource, read_model};
+use ffrf_fe::import::{ModelFiles, NodeSource, SolidsMaterial, read_model};
 use ffrf_fe::reduction::ReductionOptions;
 use ffrf_fe::{FeModel, Nodes};
 use ffrf_host::analysis::{Drives, eigenmodes, linearise};
@@ -116,7 +116,7 @@ fn compare(structure: &Structure, basis: ComponentBasis, normal: usize, scene: &
 #[test]
 fn the_rotor_on_bearings_vibrates_as_its_assembly_does() {
     let path = models().join("rotor/rotor.msh.gz");
-    let model = read(NodeSource::Mesh { path, material: Some(Material::STEEL) });
+    let model = read(NodeSource::Mesh { path, materials: SolidsMaterial::all(Material::STEEL) });
     let section = |name, x| {
         let plane = NodeSelection::Plane { point: [x, 0.0, 0.0], normal: [1.0, 0.0, 0.0], tolerance: 0.0 };
         Interface::rigid(&model, name, &plane.rows(&model.nodes).unwrap()).unwrap()

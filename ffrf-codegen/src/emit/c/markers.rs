@@ -67,36 +67,38 @@ pub(super) fn declarations(text: &mut Text, subject: &Subject<'_>, style: &Style
         &[("translation", 3), ("rotation", 3)],
         constants.map(|(marker, name)| (format!("Marker `{}`.", plain(&marker.name)), name)),
     );
+    let all = [names, stress_names, section_names];
     for (number, load) in loads(model, &subject.options.fidelity) {
-        let Some(name) = names.get(usize::from(number)) else { continue };
+        let Some(name) = stressed(&all, number, style) else { continue };
         text.documentation([
             format!("Loads at `{}` stress the body: its rows in a deformation are", plain(&load.marker)),
             "translation[k][m] - sum over n of STRESSED[k][m][n] q[n], and of the rotation with STRESSED[3 + k]; its place"
                 .to_owned(),
             "is the mean of what these and the rows of the undeformed body give.".to_owned(),
         ]);
-        text.line(format!("extern const {};", stressed(name, style)));
+        text.line(format!("extern const {name};"));
         text.blank();
     }
 }
 
-/// The stress stiffness of a marker, declared.
-fn stressed(name: &str, style: &Style) -> String {
-    format!(
-        "{} {}_{name}_STRESSED[6][{modes}][{modes}]",
-        style.type_name(),
-        style.macro_prefix,
-        modes = style.mode_count
-    )
+/// The stress stiffness of the marker of this number, declared: under a name that none of all markers has.
+fn stressed(all: &[Vec<String>; 3], number: u16, style: &Style) -> Option<String> {
+    let [names, ..] = all;
+    let mut name = format!("{}_STRESSED", names.get(usize::from(number))?);
+    while all.iter().flatten().any(|taken| *taken == name) {
+        name.push('_');
+    }
+    let (scalar, prefix, modes) = (style.type_name(), &style.macro_prefix, style.mode_count);
+    Some(format!("{scalar} {prefix}_{name}[6][{modes}][{modes}]"))
 }
 
 /// Writes the numbers of the markers.
 pub(super) fn definitions(text: &mut Text, subject: &Subject<'_>, style: &Style) {
     let Some(model) = subject.model else { return };
-    let [names, stress_names, section_names] = constant_names(model, &RESERVED);
+    let all = constant_names(model, &RESERVED);
     for (number, load) in loads(model, &subject.options.fidelity) {
-        let Some(name) = names.get(usize::from(number)) else { continue };
-        text.block(&format!("const {} = {{", stressed(name, style)), "};\n", |text| {
+        let Some(name) = stressed(&all, number, style) else { continue };
+        text.block(&format!("const {name} = {{"), "};\n", |text| {
             for axis in 0..6 {
                 let rows = load.stiffness.iter().map(|row| list(row.iter().map(|load| load[axis]), style));
                 let comma = if axis < 5 { "," } else { "" };
@@ -104,6 +106,7 @@ pub(super) fn definitions(text: &mut Text, subject: &Subject<'_>, style: &Style)
             }
         });
     }
+    let [names, stress_names, section_names] = all;
     for (marker, name) in model.markers.iter().zip(names) {
         let head = format!("const {}_marker {}_{name} = {{", style.prefix, style.macro_prefix);
         text.block(&head, "};\n", |text| numbers(text, marker, style));

@@ -1,5 +1,6 @@
 //! Nodes with what their file says about matrices: labels, elements, boundary conditions.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use crate::import::ImportError;
@@ -15,6 +16,8 @@ pub(crate) struct NodeTable {
     pub(crate) elements: Vec<Element>,
     /// Where each element stands in the file, for messages; empty if that is not known.
     pub(crate) element_places: Vec<usize>,
+    /// Numbers of the elements of each named group of elements, sorted.
+    pub(crate) element_sets: BTreeMap<String, Vec<usize>>,
     /// Materials.
     pub(crate) materials: Vec<SolidMaterial>,
     /// Which nodes belong to some element; `None` if the file has no elements.
@@ -85,6 +88,11 @@ impl NodeTable {
             self.elements.iter().map(|element| element.nodes.iter().all(|&old| keep[old])).collect();
         self.elements = kept(&self.elements, &stays);
         self.element_places = kept(&self.element_places, &stays);
+        let new = compressed(&stays);
+        for numbers in self.element_sets.values_mut() {
+            numbers.retain(|&old| stays[old]);
+            numbers.iter_mut().for_each(|number| *number = new[*number] as usize);
+        }
         for node in self.elements.iter_mut().flat_map(|element| &mut element.nodes) {
             *node = row(*node);
         }
@@ -121,7 +129,8 @@ mod tests {
                 positions: (0..5).map(|n| [f64::from(n), 0.0, 0.0]).collect(),
                 sets: [("end".to_owned(), vec![1, 2, 4])].into(),
             },
-            elements: vec![element(vec![0, 2, 3, 4]), element(vec![0, 1, 2, 3])],
+            elements: vec![element(vec![0, 1, 2, 3]), element(vec![0, 2, 3, 4])],
+            element_sets: [("all".to_owned(), vec![0, 1])].into(),
             ..NodeTable::default()
         };
         table.retain(&[true, false, true, true, true]);
@@ -129,5 +138,6 @@ mod tests {
         assert_eq!(table.nodes.positions[1][0], 2.0);
         assert_eq!(table.nodes.sets["end"], [1, 3]);
         assert_eq!(table.elements, [element(vec![0, 1, 2, 3])]);
+        assert_eq!(table.element_sets["all"], [0]);
     }
 }

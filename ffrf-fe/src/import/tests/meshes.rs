@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::elements::{ElementError, Material, quadratic_brick};
-use crate::import::{ImportOptions, read_model_with};
+use crate::import::{ImportOptions, SolidsMaterial, read_model_with};
 
 /// gmsh places nodes along a curve to about this part of its length, and elements are short.
 const PLACED: f64 = 1e-9;
@@ -14,7 +14,7 @@ fn written(file: &str) -> PathBuf {
 }
 
 fn assembled(path: PathBuf) -> Result<FeModel, ImportError> {
-    let nodes = NodeSource::Mesh { path, material: Some(Material::STEEL) };
+    let nodes = NodeSource::Mesh { path, materials: SolidsMaterial::all(Material::STEEL) };
     read_model(&ModelFiles { nodes, mass: None, stiffness: None })
 }
 
@@ -190,8 +190,9 @@ fn what_cannot_be_read_is_named_with_its_line() {
 fn a_mesh_needs_a_material_or_matrices() {
     let folder = Folder::new(&[("p.msh", TETRAHEDRON)]);
     let path = folder.path("p.msh");
-    let read = |material| {
-        let nodes = NodeSource::Mesh { path: path.clone(), material };
+    let read = |material: Option<Material>| {
+        let materials = material.map(SolidsMaterial::all).unwrap_or_default();
+        let nodes = NodeSource::Mesh { path: path.clone(), materials };
         read_model_with(&ModelFiles { nodes, mass: None, stiffness: None }, &ImportOptions::default())
     };
     assert_parts(&read(None).unwrap_err().to_string(), &["the mass file is missing", "--material"]);

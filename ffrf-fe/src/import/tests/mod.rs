@@ -6,6 +6,7 @@ mod exports;
 mod formats;
 mod held;
 mod hostile;
+mod materials;
 mod mbdyn;
 mod meshes;
 mod nastran;

@@ -104,7 +104,7 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
         (reference, whole, states) = survey(study, options, tolerance)?;
     }
     let motion = motion::look(study, &reference, &whole, &states)?;
-    let needed = motion.needed_terms(NEGLIGIBLE * options.error);
+    let needed = study.held().completed(motion.needed_terms(NEGLIGIBLE * options.error));
     let mut search = model::Search::new(study, &reference, tolerance, needed, motion.ranking());
     let mut left: Vec<(Modes, Fidelity)> = Vec::new();
     for share in MODEL_SHARES {
@@ -115,7 +115,7 @@ pub fn plan(study: &Study, options: &PlanOptions) -> Result<Plan, TradeoffError>
         }
     }
     if left.is_empty() {
-        left.push((study.all_modes(), Fidelity::Full));
+        left.push((study.all_modes(), study.richest()));
     }
     let mut candidates: Vec<Candidate> = Vec::new();
     for (modes, fidelity) in &left {

@@ -28,14 +28,13 @@ pub(super) struct Model {
     pub(super) history: History,
 }
 
-/// The levels from the cheapest; each is nested in the next.
-pub(super) const LEVELS: [Fidelity; 3] = [Fidelity::Constant, Fidelity::Linear, Fidelity::Full];
-
 /// Tries models, each once.
 pub(super) struct Search<'a> {
     study: &'a Study,
     reference: &'a Reference,
     tolerance: f64,
+    /// Every term that the bodies hold.
+    richest: Fidelity,
     /// The levels, and the terms that are not negligible by their bounds where no level has just these.
     fidelities: Vec<Fidelity>,
     /// The modes in the order of what they take part in the motion of the whole model.
@@ -54,9 +53,12 @@ impl<'a> Search<'a> {
         needed: Fidelity,
         ranking: Vec<usize>,
     ) -> Self {
-        let is_level = LEVELS.iter().any(|level| level.terms().eq(needed.terms()));
-        let fidelities = LEVELS.into_iter().chain((!is_level).then_some(needed)).collect();
-        Self { study, reference, tolerance, fidelities, ranking, tried: Vec::new(), known: BTreeMap::new() }
+        let mut fidelities = study.levels();
+        if !fidelities.iter().any(|level| level.terms().eq(needed.terms())) {
+            fidelities.push(needed);
+        }
+        let (tried, known) = (Vec::new(), BTreeMap::new());
+        Self { study, reference, tolerance, richest: study.richest(), fidelities, ranking, tried, known }
     }
 
     pub(super) fn tried(self) -> Vec<Choice> {
@@ -69,6 +71,7 @@ impl<'a> Search<'a> {
     pub(super) fn least(&mut self, error: f64) -> Option<(Modes, Fidelity)> {
         let first = self.fewest(0, self.study.most_modes(), error, |_, count| Modes::first(count))?;
         if first.count() == 0 {
+            // without modes all fidelities are the same body
             return Some((first, Fidelity::Full));
         }
         let ranked =
@@ -100,14 +103,14 @@ impl<'a> Search<'a> {
         while low < high {
             let middle = low.midpoint(high);
             let some = modes(self, middle);
-            if self.error(&some, &Fidelity::Full) <= error {
+            if self.error(&some, &self.richest.clone()) <= error {
                 high = middle;
             } else {
                 low = middle + 1;
             }
         }
         let found = modes(self, low);
-        (self.error(&found, &Fidelity::Full) <= error).then_some(found)
+        (self.error(&found, &self.richest.clone()) <= error).then_some(found)
     }
 
     /// What a model lacks; infinite where it cannot be assembled or run.
@@ -131,7 +134,7 @@ impl<'a> Search<'a> {
         let variant = self.study.variant(modes, fidelity)?;
         let Reference { channels, times, history, .. } = self.reference;
         // the whole model has been integrated
-        let is_whole = modes.are_all(self.study.most_modes()) && *fidelity == Fidelity::Full;
+        let is_whole = modes.are_all(self.study.most_modes()) && *fidelity == self.richest;
         let history = if is_whole {
             history.clone()
         } else {

@@ -43,8 +43,8 @@ impl Motion {
 
     /// The terms that can contribute more than `share` of the forces in any body, and those that are always kept.
     pub fn needed_terms(&self, share: f64) -> Fidelity {
-        let needed = self.terms.iter().filter(|one| one.largest_bound() > share).map(|one| one.term);
-        Fidelity::Terms(needed.collect())
+        let needed = self.terms.iter().filter(|one| one.largest_bound() > share);
+        Fidelity::Terms(needed.flat_map(|one| one.terms.iter().copied()).collect())
     }
 }
 

@@ -2,10 +2,11 @@
 
 use ffrf_codegen::Fidelity;
 use ffrf_codegen::fidelity::EnergyTerm;
-use ffrf_model::ReducedBody;
+use ffrf_model::{ReducedBody, SecondOrderTerms};
 use ffrf_runtime::{FlexibleBody, GeneralisedForce, Motion, Observables, State};
 
 use super::super::bounds::{ForceSize, term_bound};
+use super::super::held::TOGETHER;
 use super::super::{MotionLimits, Study, TradeoffError};
 use super::track::Track;
 use crate::{HostBody, HostModal};
@@ -15,8 +16,8 @@ use crate::{HostBody, HostModal};
 pub struct TermUse {
     /// Name of the body.
     pub body: String,
-    /// The term.
-    pub term: EnergyTerm,
+    /// The term; of a body that holds only the sum of two, both.
+    pub terms: Vec<EnergyTerm>,
     /// Its largest size over the largest kinetic energy of the body: what the equations lose without it.
     pub share: f64,
     /// The most that it can contribute to the force on the frame, the moment about its origin and the forces on the modes,
@@ -27,6 +28,16 @@ pub struct TermUse {
 }
 
 impl TermUse {
+    /// Its name; of two, joined by `with`.
+    pub fn name(&self) -> String {
+        self.terms.iter().map(|term| term.name()).collect::<Vec<_>>().join(" with ")
+    }
+
+    /// Whether a fidelity keeps it.
+    pub fn is_kept_by(&self, fidelity: &Fidelity) -> bool {
+        self.terms.iter().all(|term| fidelity.keeps(*term))
+    }
+
     /// The largest of its bounds.
     pub fn largest_bound(&self) -> f64 {
         self.bound.iter().copied().fold(0.0, f64::max)
@@ -38,7 +49,16 @@ impl TermUse {
     }
 }
 
-/// Every term of a body that can be left out.
+/// The terms of a fidelity that a body can leave out, each by itself where the body knows it by itself.
+fn optional(richest: &Fidelity, held: SecondOrderTerms) -> Vec<Vec<EnergyTerm>> {
+    let is_together = held == SecondOrderTerms::Together;
+    let terms = richest.terms().filter(|term| !term.is_always_kept());
+    let alone = terms.filter(|term| !(is_together && TOGETHER.contains(term))).map(|term| vec![term]);
+    let both = is_together && TOGETHER.iter().all(|term| richest.keeps(*term));
+    alone.chain(both.then(|| TOGETHER.to_vec())).collect()
+}
+
+/// Every term of a body that it holds and that can be left out.
 pub(super) fn term_uses(
     study: &Study,
     index: usize,
@@ -47,7 +67,8 @@ pub(super) fn term_uses(
     track: &Track,
     limits: &MotionLimits,
 ) -> Result<Vec<TermUse>, TradeoffError> {
-    let whole = study.body_with(index, &Fidelity::Full)?;
+    let richest = study.richest();
+    let whole = study.body_with(index, &richest)?;
     let kinetic =
         |body: &HostBody| -> Vec<f64> { track.states.iter().map(|state| kinetic(body, state)).collect() };
     let forces = |body: &HostBody| -> Vec<GeneralisedForce<HostModal>> {
@@ -60,12 +81,13 @@ pub(super) fn term_uses(
     let sizes = |force: &GeneralisedForce<HostModal>| {
         [force.force.norm(), force.moment.norm(), weights.norm(force.modal.0.as_slice())]
     };
+    let modes = model.mode_count();
     let mut uses = Vec::new();
     // what is left of all when the optional terms are taken away: the forces are a sum over terms, as the energy is
     let mut always = all.clone();
     let mut scale = [0.0; 3];
-    for term in EnergyTerm::ALL.into_iter().filter(|term| !term.is_always_kept()) {
-        let others = EnergyTerm::ALL.into_iter().filter(|other| *other != term);
+    for terms in optional(&richest, model.second_order_terms) {
+        let others = richest.terms().filter(|other| !terms.contains(other));
         let without = study.body_with(index, &Fidelity::Terms(others.collect()))?;
         let size = energies.iter().zip(kinetic(&without)).map(|(all, without)| (all - without).abs());
         let lost: Vec<GeneralisedForce<HostModal>> = all
@@ -82,10 +104,12 @@ pub(super) fn term_uses(
         }
         let reached = largest(lost.iter().map(sizes));
         scale = larger(scale, reached);
-        let ForceSize { force, moment, modal } = term_bound(model, term, limits);
+        let bounds = terms.iter().map(|term| term_bound(model, *term, limits));
+        let ForceSize { force, moment, modal } =
+            bounds.fold(ForceSize::nothing(modes), |sum, one| sum.plus(&one));
         uses.push(TermUse {
             body: name.to_owned(),
-            term,
+            terms,
             share: size.fold(0.0, f64::max) / largest_energy,
             bound: [force, moment, weights.norm(&modal)],
             reached,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-use ffrf_codegen::{Fidelity, ScalarType};
+use ffrf_codegen::ScalarType;
 use ffrf_runtime::mechanism::Assembly;
 
 use super::super::cost::evaluations_per_step;
@@ -11,7 +11,6 @@ use super::super::trajectory::trajectory;
 use super::super::{
     Configuration, Modes, Quantity, Reference, ReferenceOptions, Study, TradeoffError, Variant,
 };
-use super::model::LEVELS;
 use super::motion;
 use crate::scene::{Integrator, StepChoice};
 
@@ -120,8 +119,11 @@ fn choose(
     budget: &StepBudget,
 ) -> Result<PlanWithin, TradeoffError> {
     let mut tried = Vec::new();
-    for fidelity in LEVELS {
-        let choices = choices(study.most_modes(), &ranking, &fidelity);
+    let richest = study.richest();
+    for fidelity in study.levels() {
+        // without modes all fidelities are the same body
+        let least = usize::from(fidelity != richest);
+        let choices = choices(study.most_modes(), &ranking, least);
         let mut variants: BTreeMap<&Modes, Variant> = BTreeMap::new();
         for integrator in &budget.integrators {
             for (scalar, divisions) in
@@ -176,10 +178,8 @@ fn choose(
     }
 }
 
-/// So many modes, those of most first: the first ones, and those that take part most where these are others.
-fn choices(most: usize, ranking: &[usize], fidelity: &Fidelity) -> Vec<Modes> {
-    // without modes all fidelities are the same body
-    let least = usize::from(*fidelity != Fidelity::Full);
+/// So many modes and no fewer than `least`, those of most first: the first ones, and those that take part most where these are others.
+fn choices(most: usize, ranking: &[usize], least: usize) -> Vec<Modes> {
     let counts = (least..=most).rev();
     let both = counts.flat_map(|count| {
         let (first, ranked) =

@@ -302,7 +302,7 @@ impl<'a> Reader<'a> {
             let count = self.unsigned(BLOCK)?;
             self.end_line(BLOCK)?;
             let names = self.groups.names_of(entity);
-            let mut rows = Vec::new();
+            let (mut rows, mut solids) = (Vec::new(), Vec::new());
             for _ in 0..count {
                 let place = self.cursor.at;
                 self.unsigned(ELEMENT_LINE)?;
@@ -310,12 +310,13 @@ impl<'a> Reader<'a> {
                 if !names.is_empty() {
                     rows.extend_from_slice(&nodes);
                 }
-                self.add(kind, nodes, place, false)?;
+                solids.extend(self.add(kind, nodes, place, false)?);
             }
             rows.sort_unstable();
             rows.dedup();
             for name in names {
                 self.solids.extend_group(self.source, &name, &rows, place)?;
+                self.solids.extend_element_group(&name, &solids);
             }
             found += count;
         }
@@ -342,11 +343,13 @@ impl<'a> Reader<'a> {
                 }
             }
             let nodes = self.element_nodes(kind, LEGACY_ELEMENT)?;
-            if group != 0 {
-                let name = self.groups.name((kind.dimension, group));
-                self.solids.extend_group(self.source, &name, &nodes, place)?;
+            let name = (group != 0).then(|| self.groups.name((kind.dimension, group)));
+            if let Some(name) = &name {
+                self.solids.extend_group(self.source, name, &nodes, place)?;
             }
-            self.add(kind, nodes, place, true)?;
+            if let (Some(solid), Some(name)) = (self.add(kind, nodes, place, true)?, name) {
+                self.solids.extend_element_group(&name, &[solid]);
+            }
         }
         Ok(())
     }
@@ -382,18 +385,20 @@ impl<'a> Reader<'a> {
         Ok(rows)
     }
 
+    /// The number of the solid; `None` for other elements.
     fn add(
         &mut self,
         kind: ElementType,
         nodes: Vec<usize>,
         place: usize,
         may_repeat: bool,
-    ) -> Result<(), ImportError> {
-        let Shape::Solid(kind, order) = kind.shape else { return Ok(()) };
+    ) -> Result<Option<usize>, ImportError> {
+        let Shape::Solid(kind, order) = kind.shape else { return Ok(None) };
         let ordered = order.iter().map(|&at| nodes[at]).collect();
-        if self.solids.add(kind, ordered, place) || may_repeat {
-            return Ok(());
+        match self.solids.add(kind, ordered, place) {
+            Ok(number) => Ok(Some(number)),
+            Err(other) if may_repeat => Ok(Some(other)),
+            Err(_) => Err(self.source.expected(place, "each solid once, but another one has these nodes")),
         }
-        Err(self.source.expected(place, "each solid once, but another one has these nodes"))
     }
 }

@@ -1,6 +1,6 @@
 //! What a mesh file supplies, gathered while it is read.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 
 use crate::import::ImportError;
 use crate::import::nodes::{NodeLookup, NodeTable};
@@ -20,9 +20,11 @@ pub(super) struct Solids {
     places: Vec<usize>,
     /// Rows of each named group, neither sorted nor each once.
     groups: BTreeMap<String, Vec<usize>>,
+    /// Elements of each named group, neither sorted nor each once.
+    element_groups: BTreeMap<String, Vec<usize>>,
     members: usize,
-    /// Corners of the elements, to find those that come twice.
-    seen: HashSet<Vec<usize>>,
+    /// Number of the element with these nodes, to find those that come twice.
+    seen: HashMap<Vec<usize>, usize>,
 }
 
 impl Solids {
@@ -57,16 +59,26 @@ impl Solids {
         })
     }
 
-    /// Adds a solid; false if another one has the same nodes.
-    pub(super) fn add(&mut self, kind: ElementKind, nodes: Vec<usize>, place: usize) -> bool {
+    /// Adds a solid and gives its number; that of the other one as the error if another one has the same nodes.
+    pub(super) fn add(&mut self, kind: ElementKind, nodes: Vec<usize>, place: usize) -> Result<usize, usize> {
         let mut corners = nodes.clone();
         corners.sort_unstable();
-        if !self.seen.insert(corners) {
-            return false;
+        let number = self.elements.len();
+        if let Some(&other) = self.seen.get(&corners) {
+            return Err(other);
         }
+        self.seen.insert(corners, number);
         self.elements.push(Element { kind, nodes });
         self.places.push(place);
-        true
+        Ok(number)
+    }
+
+    /// Adds solids to a group.
+    pub(super) fn extend_element_group(&mut self, name: &str, numbers: &[usize]) {
+        match self.element_groups.get_mut(name) {
+            Some(group) => group.extend_from_slice(numbers),
+            None => drop(self.element_groups.insert(name.to_owned(), numbers.to_vec())),
+        }
     }
 
     /// Adds nodes to a group.
@@ -96,7 +108,7 @@ impl Solids {
 
     /// The node table.
     pub(super) fn finish(self, source: &Source) -> Result<NodeTable, ImportError> {
-        let Self { mut nodes, elements, places, groups, .. } = self;
+        let Self { mut nodes, elements, places, groups, mut element_groups, .. } = self;
         let mut attached = vec![false; nodes.len()];
         for &row in elements.iter().flat_map(|element| &element.nodes) {
             attached[row] = true;
@@ -106,8 +118,13 @@ impl Solids {
             rows.dedup();
             nodes.sets.insert(name, rows);
         }
+        for numbers in element_groups.values_mut() {
+            numbers.sort_unstable();
+            numbers.dedup();
+        }
         let attached = (!elements.is_empty()).then_some(attached);
-        NodeTable { nodes, elements, element_places: places, attached, ..NodeTable::default() }
+        let element_sets = element_groups;
+        NodeTable { nodes, elements, element_places: places, element_sets, attached, ..NodeTable::default() }
             .check_size(source)
     }
 }

@@ -76,13 +76,16 @@ pub(super) fn read(source: &Source) -> Result<NodeTable, ImportError> {
         cells.push(cell);
         from = to;
     }
+    let mut solid_of_cell = vec![None; cells.len()];
     for (number, (&kind, &cell)) in types.iter().zip(&cells).enumerate() {
         let Some((kind, nodes)) = solid(source, types_array.place, kind)? else { continue };
         if cell.len() != nodes {
             let expected = format!("{nodes} points of cell {number}, found {}", cell.len());
             return Err(source.expected(connectivity.place, expected));
         }
-        if !solids.add(kind, cell.iter().map(|&row| row as usize).collect(), connectivity.place) {
+        let added = solids.add(kind, cell.iter().map(|&row| row as usize).collect(), connectivity.place);
+        solid_of_cell[number] = added.ok();
+        if added.is_err() {
             let expected = format!("each solid once, but another one has the points of cell {number}");
             return Err(source.expected(connectivity.place, expected));
         }
@@ -100,6 +103,10 @@ pub(super) fn read(source: &Source) -> Result<NodeTable, ImportError> {
         let expected = if is_of_cells { document.cells } else { document.points };
         array.must_hold(source, "values", expected, values.len())?;
         for (name, items) in groups(&array.name, &values) {
+            if is_of_cells {
+                let numbers: Vec<usize> = items.iter().filter_map(|&cell| solid_of_cell[cell]).collect();
+                solids.extend_element_group(&name, &numbers);
+            }
             let rows: Vec<usize> = if is_of_cells {
                 let mut rows: Vec<usize> =
                     items.iter().flat_map(|&cell| cells[cell].iter().map(|&row| row as usize)).collect();
