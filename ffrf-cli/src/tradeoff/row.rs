@@ -1,6 +1,6 @@
 //! One line of the results: names and numbers of an outcome.
 
-use ffrf_host::tradeoff::{Measured, Outcome, front};
+use ffrf_host::tradeoff::{Configuration, Measured, Outcome, front};
 
 /// What is shown of an outcome.
 pub struct Row<'a> {
@@ -28,4 +28,10 @@ pub fn rows(outcomes: &[Outcome]) -> Vec<Row<'_>> {
         [points(|measured| measured.time), points(Measured::operations_per_second)].map(|p| front(&p));
     let rows = outcomes.iter().enumerate();
     rows.map(|(k, outcome)| Row { outcome, on_front: [0, 1].map(|cost| fronts[cost].contains(&k)) }).collect()
+}
+
+/// Width of the column of modes, which may name bodies. Units: characters.
+pub fn modes_width<'a>(configurations: impl Iterator<Item = &'a Configuration>) -> usize {
+    let widest = configurations.map(|one| one.modes.to_string().chars().count()).max();
+    widest.unwrap_or(0).max("modes".len())
 }

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use ffrf_host::tradeoff::{Configuration, Finding, INSTRUCTIONS_PER_OPERATION, Reference};
+use ffrf_host::tradeoff::{Finding, INSTRUCTIONS_PER_OPERATION, Reference};
 
-use super::row::Row;
+use super::row::{Row, modes_width};
 use super::target_counts::{TargetCounts, lines};
 use crate::budget::StepOnTarget;
 use crate::trade_text::describe_reference;
@@ -77,12 +77,6 @@ pub fn text(title: &str, reference: &Reference, rows: &[Row<'_>], counts: &Targe
         text.push_str(&lines(core, counts, rows.iter().map(|row| row.outcome)));
     }
     text
-}
-
-/// Width of the column of modes, which may name bodies. Units: characters.
-pub fn modes_width<'a>(configurations: impl Iterator<Item = &'a Configuration>) -> usize {
-    let widest = configurations.map(|one| one.modes.to_string().chars().count()).max();
-    widest.unwrap_or(0).max("modes".len())
 }
 
 /// What the columns are.

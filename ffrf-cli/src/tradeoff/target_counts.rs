@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use ffrf_host::tradeoff::{Configuration, Outcome, Study};
 use serde::{Deserialize, Serialize};
 
-use super::table::modes_width;
+use super::row::modes_width;
 use crate::arguments::Core;
 use crate::budget::{StepOnTarget, Workshop, configuration_on_target, of_fixed_cost};
 use crate::report::chain;
