@@ -5,7 +5,7 @@ use ffrf_runtime::mechanism::Assembly;
 
 use super::super::cost::evaluations_per_step;
 use super::super::trajectory::trajectory;
-use super::super::{Configuration, History, Modes, Reference, Study};
+use super::super::{Configuration, History, Reference, SceneModes, Study};
 use super::model::Model;
 use crate::scene::{Integrator, StepChoice};
 
@@ -32,7 +32,7 @@ impl Pilot {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
     /// Modes of the model.
-    pub modes: Modes,
+    pub modes: SceneModes,
     /// Fidelity of the model.
     pub fidelity: Fidelity,
     /// The integrator.
