@@ -60,18 +60,18 @@ impl Topology {
                     add(branch, &mut place, &mut branches);
                 }
             }
-            if next == branches.len() {
-                if let Some(body) = roots.find(|body| place[*body].is_none()) {
-                    let root = BranchPlace {
-                        body,
-                        joint: None,
-                        is_second: false,
-                        parent: None,
-                        freedom: 0,
-                        freedoms: FREE,
-                    };
-                    add(root, &mut place, &mut branches);
-                }
+            if next == branches.len()
+                && let Some(body) = roots.find(|body| place[*body].is_none())
+            {
+                let root = BranchPlace {
+                    body,
+                    joint: None,
+                    is_second: false,
+                    parent: None,
+                    freedom: 0,
+                    freedoms: FREE,
+                };
+                add(root, &mut place, &mut branches);
             }
             from = (next < branches.len()).then_some(Some(next));
             next += 1;
