@@ -7,6 +7,7 @@
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::OnceLock;
 
 fn ffrf(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_ffrf")).args(arguments).output().unwrap()
@@ -21,8 +22,13 @@ const FMPY: &str = "fmpy==0.3.32";
 /// What FMPy compiles sources with, if the system has none.
 const CMAKE: &str = "cmake";
 
-/// A python with FMPy.
+/// A python with FMPy, installed once for all tests, which run side by side.
 fn python() -> Option<PathBuf> {
+    static PYTHON: OnceLock<Option<PathBuf>> = OnceLock::new();
+    PYTHON.get_or_init(installed).clone()
+}
+
+fn installed() -> Option<PathBuf> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fmpy");
     let python = folder.join("bin/python3");
     let runs = |command: &mut Command| command.output().is_ok_and(|output| output.status.success());
