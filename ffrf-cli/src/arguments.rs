@@ -29,7 +29,7 @@ pub use linearise::{Campbell, Linearise, StateChoice};
 pub use sections::SectionArgument;
 pub use simulate::Simulate;
 pub use stiffening::StiffeningChoice;
-pub use tradeoff::{OnTarget, Plan, Tradeoff, parse_fidelity, parse_integrator, parse_scalar};
+pub use tradeoff::{NamedModel, OnTarget, Plan, Tradeoff, parse_fidelity, parse_integrator, parse_scalar};
 pub use view::View;
 
 /// Flexible-body dynamics from finite-element models: reduce, inspect, generate, evaluate, verify, simulate, linearise.

@@ -46,7 +46,12 @@ impl Study {
 pub fn question(scene: PathBuf, quantity: &[String], reference_tolerance: f64) -> PyResult<Question> {
     let quantities = quantity.iter().map(|text| text.parse().map_err(Error::new_err));
     let quantities = quantities.collect::<PyResult<Vec<Quantity>>>()?;
-    Ok(Question { scene, quantities, reference_tolerance: positive(reference_tolerance)? })
+    Ok(Question {
+        scene,
+        quantities,
+        reference_tolerance: positive(reference_tolerance)?,
+        reference_models: BTreeMap::new(),
+    })
 }
 
 #[pymethods]

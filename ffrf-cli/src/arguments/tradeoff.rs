@@ -40,6 +40,10 @@ pub struct Tradeoff {
     /// Relative tolerance per step of the reference, which has all modes, and every term that all bodies hold.
     #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-10, value_parser = parse_positive)]
     pub reference_tolerance: f64,
+    /// Take errors against this model of a flexible body, with all its modes, in the place of the one of the scene: a reduction with
+    /// more modes, or all, of the same part in the same frame, with the markers that the scene names. Repeatable.
+    #[arg(long, value_name = "BODY=MODEL", value_parser = parse_named_model)]
+    pub reference_model: Vec<NamedModel>,
     /// Also count what a step of each configuration takes of these cores: instructions, bytes of code, data and stack. A program
     /// is built for each number of modes, fidelity, scalar and integrator (rk4, linearly_implicit) and run in the emulator.
     #[arg(long, value_name = "CORE,...", value_delimiter = ',')]
@@ -53,6 +57,24 @@ pub struct Tradeoff {
     /// Runs at a time (default: one for each core).
     #[arg(long, value_name = "COUNT", value_parser = parse_count)]
     pub threads: Option<usize>,
+}
+
+/// A model of a body of a scene.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NamedModel {
+    /// Name of the body.
+    pub body: String,
+    /// Its model file.
+    pub file: PathBuf,
+}
+
+fn parse_named_model(text: &str) -> Result<NamedModel, String> {
+    match text.split_once('=') {
+        Some((body, file)) if !body.is_empty() && !file.is_empty() => {
+            Ok(NamedModel { body: body.to_owned(), file: file.into() })
+        }
+        _ => Err("expected BODY=MODEL.ffrf.json".to_owned()),
+    }
 }
 
 /// Arguments of `ffrf plan`.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use ffrf_host::tradeoff::{Quantity, Study};
@@ -28,6 +28,7 @@ impl Asked {
         study: &Study,
         quantities: &[Quantity],
         reference_tolerance: f64,
+        reference_models: &BTreeMap<String, PathBuf>,
     ) -> Result<Self> {
         let folder = scene.parent().unwrap_or_else(|| Path::new(""));
         let read = |path: &Path| fs::read(path).with_context(|| format!("{}", path.display()));
@@ -35,10 +36,13 @@ impl Asked {
             let name = path.strip_prefix(folder).unwrap_or(&path).display().to_string();
             Ok((name, format!("{:016x}", fnv1a(&read(&path)?))))
         });
+        let of_reference = reference_models.iter().map(|(body, path)| {
+            Ok((format!("reference model of {body}"), format!("{:016x}", fnv1a(&read(path)?))))
+        });
         Ok(Self {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scene: String::from_utf8_lossy(&read(scene)?).into_owned(),
-            inputs: hashed.collect::<Result<_>>()?,
+            inputs: hashed.chain(of_reference).collect::<Result<_>>()?,
             quantities: quantities.iter().map(Quantity::to_string).collect(),
             reference_tolerance,
         })

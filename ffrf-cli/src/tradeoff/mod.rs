@@ -10,10 +10,14 @@ mod sweep;
 mod table;
 mod target_counts;
 
-use anyhow::{Context, Result};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::{Context, Result, bail};
 use ffrf_host::tradeoff::{Axes, Done, Finding, Outcome, Study};
 
-use crate::arguments::Tradeoff;
+use crate::arguments::{NamedModel, Tradeoff};
 use crate::budget::Workshop;
 use crate::output;
 use crate::progress::ShareTeller;
@@ -29,6 +33,7 @@ pub fn run(arguments: &Tradeoff) -> Result<()> {
         scene: arguments.scene.clone(),
         quantities: arguments.quantity.clone(),
         reference_tolerance: arguments.reference_tolerance,
+        reference_models: reference_models(&arguments.reference_model)?,
     };
     let study = question.study()?;
     let in_scene = || arguments.scene.display().to_string();
@@ -73,6 +78,18 @@ fn count(sweep: &Sweep, outcomes: &[Outcome], arguments: &Tradeoff) -> Result<()
         counted?;
     }
     Ok(())
+}
+
+/// The models of the reference by the names of their bodies. Errors: a body is named twice, a file is not there.
+fn reference_models(named: &[NamedModel]) -> Result<BTreeMap<String, PathBuf>> {
+    let mut models = BTreeMap::new();
+    for NamedModel { body, file } in named {
+        let path = fs::canonicalize(file).with_context(|| file.display().to_string())?;
+        if models.insert(body.clone(), path).is_some() {
+            bail!("--reference-model: two models of body `{body}`");
+        }
+    }
+    Ok(models)
 }
 
 /// How many runs go at a time where nobody says it.

@@ -16,7 +16,7 @@ use super::{report, saved, target_counts};
 use crate::arguments::Core;
 use crate::budget::Workshop;
 
-/// What is swept: a scene, the quantities in which errors are taken, and the tolerance of the reference.
+/// What is swept: a scene, the quantities in which errors are taken, and the reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Question {
     /// Scene file.
@@ -25,6 +25,8 @@ pub struct Question {
     pub quantities: Vec<Quantity>,
     /// Relative tolerance per step of the reference.
     pub reference_tolerance: f64,
+    /// Models of flexible bodies that the reference has in the place of those of the scene: paths that are absolute.
+    pub reference_models: BTreeMap<String, PathBuf>,
 }
 
 /// A scene with what its errors are taken against.
@@ -50,7 +52,16 @@ impl Question {
 
     /// What decides every number of a sweep besides the configurations. Errors: a file cannot be read.
     pub fn asked(&self, study: &Study) -> Result<Asked> {
-        Asked::of(&self.scene, study, &self.quantities, self.reference_tolerance)
+        let Self { scene, quantities, reference_tolerance, reference_models } = self;
+        Asked::of(scene, study, quantities, *reference_tolerance, reference_models)
+    }
+
+    /// The scene with the models of the reference, if it has others. Errors: see [`Study::with_models`].
+    fn richer(&self, study: &Study) -> Result<Option<Study>> {
+        if self.reference_models.is_empty() {
+            return Ok(None);
+        }
+        study.with_models(&self.reference_models).with_context(|| self.context()).map(Some)
     }
 
     fn compute(&self, study: &Study) -> Result<Reference> {
@@ -61,7 +72,8 @@ impl Question {
     /// Reads the scene and computes the reference. Errors: the scene, or a quantity that it does not have.
     pub fn measure(self) -> Result<Measure> {
         let study = self.study()?;
-        let reference = self.compute(&study)?;
+        let richer = self.richer(&study)?;
+        let reference = self.compute(richer.as_ref().unwrap_or(&study))?;
         Ok(Measure { question: self, study, reference })
     }
 
@@ -105,12 +117,13 @@ impl Sweep {
     /// The same of a scene that has been read.
     pub fn of(study: Study, question: Question, folder: &Path, computing: impl FnOnce()) -> Result<Self> {
         let channels = study.channels(&question.quantities).with_context(|| question.context())?;
+        let richer = question.richer(&study)?;
         let store = Store::open(folder, &question.asked(&study)?)?;
         let reference = match store.reference(channels)? {
             Some(reference) => reference,
             None => {
                 computing();
-                let reference = question.compute(&study)?;
+                let reference = question.compute(richer.as_ref().unwrap_or(&study))?;
                 store.keep_reference(&reference)?;
                 reference
             }

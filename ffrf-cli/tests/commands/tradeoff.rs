@@ -277,6 +277,56 @@ fn bodies_have_modes_of_their_own() {
 
 /// What was counted on cores stands beside the runs of its programs, whatever their steps; the rest of the sweep does not wait
 /// for tools that are not there.
+/// Three of four modes against all four must be off by the same, whether the scene has four and a configuration takes three, or the
+/// scene has a body of three and the reference another model.
+#[test]
+fn modes_that_the_scene_does_not_have_are_in_the_reference_that_another_model_gives() {
+    let bench = Workbench::new();
+    write_scene(&bench);
+    let whole = model("spin_up_beam.ffrf.json");
+    let small = ffrf_model::ReducedBody::read(&whole).unwrap().with_modes(3).unwrap();
+    small.write(bench.path("small.ffrf.json")).unwrap();
+    bench.write("small.toml", &bench.read("scene.toml").replace(&whole, "small.ffrf.json"));
+    let grid = [
+        "--fidelity=full",
+        "--scalar=f64",
+        "--integrator=rk4",
+        "--step=5e-4",
+        "--reference-tolerance=1e-8",
+        "--quantity=tip",
+    ];
+    let run = |scene: &str, folder: &str, more: &[&str]| {
+        let head = ["tradeoff", scene, "-o", folder, "--modes=3"];
+        bench.run_words(head.iter().chain(&grid).chain(more).copied())
+    };
+    let error =
+        |folder: &str| -> f64 { columns(&bench.path(folder).join("table.csv"))["error"][0].parse().unwrap() };
+    run("scene.toml", "four", &[]).succeeded();
+    run("small.toml", "three", &[]).succeeded();
+    let of_reference = format!("--reference-model=beam={whole}");
+    run("small.toml", "against", &[&of_reference]).succeeded();
+    let [four, three, against] = ["four", "three", "against"].map(error);
+    println!("{four:e} {three:e} {against:e}");
+    assert!(three < 0.1 * four, "three modes against themselves: {three:e}, against four: {four:e}");
+    assert!((against / four - 1.0).abs() < 1e-9, "{against:e}, expected {four:e}");
+
+    // what is in a folder is of one reference
+    run("small.toml", "three", &[&of_reference]).failed(1, &["other models or tables"]);
+    for (wrong, told) in [
+        ("--reference-model=hub=small.ffrf.json", "no such flexible body"),
+        ("--reference-model=beam=nowhere.ffrf.json", "nowhere.ffrf.json"),
+    ] {
+        run("small.toml", "wrong", &[wrong]).failed(1, &[told]);
+    }
+    run("small.toml", "wrong", &[&of_reference, &of_reference]).failed(1, &["two models of body `beam`"]);
+    run("small.toml", "wrong", &["--reference-model=beam"]).failed(2, &["BODY=MODEL"]);
+    bench.write(
+        "bent.toml",
+        &bench.read("small.toml").replace("[joints", "modal_coordinates = [0.1, 0.0, 0.0]\n[joints"),
+    );
+    run("bent.toml", "wrong", &[&of_reference]).failed(1, &["begins deformed"]);
+}
+
 #[test]
 fn counts_on_a_core_are_columns_of_the_runs_and_are_asked_for_after_them() {
     let bench = Workbench::new();

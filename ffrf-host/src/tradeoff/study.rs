@@ -1,5 +1,6 @@
 //! A scene as its file has it, and the same scene with other modes and fidelities.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use ffrf_codegen::Fidelity;
@@ -77,6 +78,34 @@ impl Study {
             FunctionValue::Polynomial(_) => None,
         });
         models.chain(tables).map(|name| self.folder.join(name)).filter(|path| path.is_file()).collect()
+    }
+
+    /// The same scene with these models in the place of those of flexible bodies: what errors are taken against, with modes that no
+    /// configuration has, all of the finite-element model say. They have every mode, whatever the scene chooses.
+    ///
+    /// Errors: a body that is not there, is rigid, or begins deformed, which modal coordinates of other modes cannot say; a model
+    /// that cannot be read, or does not have what the scene names.
+    pub fn with_models(&self, models: &BTreeMap<String, PathBuf>) -> Result<Self, SceneError> {
+        let mut file = self.file.clone();
+        for (name, model) in models {
+            let refused = |message: &str| SceneError::Key {
+                key: format!("bodies.{name}"),
+                message: message.to_owned(),
+            };
+            let table = file.bodies.iter_mut().find(|(body, _)| body == name);
+            let Some((_, table)) = table.filter(|(_, table)| table.model.is_some()) else {
+                return Err(refused(
+                    "a reference has another model of it, but the scene has no such flexible body",
+                ));
+            };
+            let begins = [&table.modal_coordinates, &table.modal_rates];
+            if begins.into_iter().flatten().flatten().any(|number| *number != 0.0) {
+                return Err(refused("a reference has other modes, but the body begins deformed in its own"));
+            }
+            without_modes(table);
+            (table.model, table.fidelity) = (Some(model.display().to_string()), None);
+        }
+        Self::new(file, self.folder.clone())
     }
 
     /// The channels that quantities name. Errors: a quantity that the scene does not have.
