@@ -1,7 +1,7 @@
 //! Arrays of six numbers, the width of everything in the equations of a mechanism: six accelerations of a frame, six rows of
 //! a joint at most. Loops of constant length over contiguous numbers, which compilers put into vector registers.
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
 /// The same statements with a constant that is 0 to 5: straight-line code, in which what is not needed is left out when
 /// compiling. Loops whose bounds depend on each other are not always unrolled.
@@ -104,6 +104,14 @@ pub(crate) fn dot<T: RealField + Copy>(left: &[T; 6], right: &[T; 6]) -> T {
 #[inline(always)]
 pub(crate) fn sum<T: RealField + Copy>([a, b, c, d, e, f]: &[T; 6]) -> T {
     (*a + *c + *e) + (*b + *d + *f)
+}
+
+/// Adds the moment of a force, the first three numbers, about a point that it is `arm` away from.
+#[inline(always)]
+pub(crate) fn add_moment<T: RealField + Copy>([x, y, z, about @ ..]: &mut [T; 6], arm: &Vector3<T>) {
+    about[0] += arm.y * *z - arm.z * *y;
+    about[1] += arm.z * *x - arm.x * *z;
+    about[2] += arm.x * *y - arm.y * *x;
 }
 
 /// Transposes in place.

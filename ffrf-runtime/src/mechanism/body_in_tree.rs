@@ -52,7 +52,7 @@ where
 
     fn bear(&mut self, slot: usize, inertia: &Square<T>, arm: &Vector3<T>) {
         if let (Some(woven), Some(rows)) = (self.solved.woven_mut(), self.rows.as_ref().get(slot)) {
-            woven.bear(inertia, rows.modal.as_ref(), (*arm).into());
+            woven.bear(inertia, rows.modal.as_ref(), arm);
         }
     }
 

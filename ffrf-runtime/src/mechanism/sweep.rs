@@ -3,7 +3,9 @@
 use nalgebra::{RealField, Vector3};
 
 use super::tree::Held;
-use super::{Branch, Connection, Constraints, EvaluatedJoint, Freedom, JointPlace, Limb, LimbEnd, Storage};
+use super::{
+    Branch, Connection, Constraints, EvaluatedJoint, Freedom, JointPlace, Limb, LimbEnd, Plan, Storage,
+};
 use crate::integrators::StepError;
 use crate::relations::Rows;
 use crate::six::{add, scaled};
@@ -16,7 +18,7 @@ fn is_sound<T: RealField + Copy>(held: &[Held<T>; 2]) -> bool {
 
 /// What the rows of a joint hold at its second end: translations, rotations.
 #[inline]
-fn held_by<T: RealField + Copy>(connection: &Connection<T>, rows: &Rows<T>) -> ([Held<T>; 2], [usize; 2]) {
+fn held_by<T: RealField + Copy>(connection: &Connection<T>, rows: &Rows<T>) -> [Held<T>; 2] {
     let translations = connection.kind.held_translations();
     let rotations = rows.len().saturating_sub(translations);
     let [_, [x, y, z, r_x, r_y, r_z]] = rows.gradients();
@@ -30,7 +32,25 @@ fn held_by<T: RealField + Copy>(connection: &Connection<T>, rows: &Rows<T>) -> (
         Held::by(&[0, 1, 2].map(|row| vector([x, y, z], row)), translations)
     };
     let moments = [0, 1, 2].map(|row| vector([r_x, r_y, r_z], translations + row));
-    ([forces, Held::by(&moments, rotations)], [translations, rotations])
+    [forces, Held::by(&moments, rotations)]
+}
+
+/// How many of the rows that hold a body, the first ones, hold translations.
+fn held_translations<T: RealField + Copy>(connections: &[Connection<T>], branch: &Branch) -> usize {
+    let connection = branch.joint.and_then(|number| connections.get(number));
+    connection.map_or(0, |connection| connection.kind.held_translations())
+}
+
+type Motions<'f, T> = &'f mut [Option<Freedom<T>>];
+
+/// The motions that the joint of a body leaves where it holds so many translations: those along, those about.
+fn motions<'f, T>(
+    freedoms: &'f mut [Option<Freedom<T>>],
+    branch: &Branch,
+    held_translations: usize,
+) -> Option<(Motions<'f, T>, Motions<'f, T>)> {
+    let own = freedoms.get_mut(branch.freedom..)?.get_mut(..branch.freedoms)?;
+    own.split_at_mut_checked(3_usize.saturating_sub(held_translations))
 }
 
 /// The end of a joint on a body, and how far its rows act beyond that.
@@ -52,10 +72,32 @@ fn end_of<T: RealField + Copy>(
     end.as_ref().map(|end| LimbEnd { slot: end.slot, marker: attachment.marker, beyond })
 }
 
-/// The slot of one end of a joint.
-fn slot_of(place: &JointPlace, second: bool) -> Option<usize> {
-    let [first_end, second_end] = &place.ends;
-    (if second { second_end } else { first_end }).as_ref().map(|end| end.slot)
+/// Where a body is held.
+struct Seat {
+    /// The slot of its own end of the joint.
+    root: Option<usize>,
+    /// What holds it, if that is no ground.
+    parent: Option<Parent>,
+}
+
+/// What holds a body.
+struct Parent {
+    /// Among the branches.
+    place: usize,
+    body: usize,
+    /// The slot of its end of the joint.
+    slot: usize,
+}
+
+fn seat(plan: &Plan<'_>, branch: &Branch) -> Option<Seat> {
+    let Some(joint) = branch.joint else { return Some(Seat { root: None, parent: None }) };
+    let [first, second] = plan.joints.get(joint)?.ends.each_ref().map(|end| end.as_ref().map(|end| end.slot));
+    let (root, other) = if branch.is_second { (second, first) } else { (first, second) };
+    let parent = match branch.parent {
+        Some(place) => Some(Parent { place, body: plan.branches.get(place)?.body, slot: other? }),
+        None => None,
+    };
+    Some(Seat { root, parent })
 }
 
 impl<T: RealField + Copy> Constraints<'_, '_, T> {
@@ -106,38 +148,24 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let Storage { joints, limbs, freedoms, .. } = &mut *self.storage;
         let (before, [place, ..]) = limbs.split_at_mut_checked(index)? else { return None };
         let limb = place.as_mut()?;
-        let places = freedoms.get_mut(branch.freedom..)?;
-        let mut sound = true;
-        let of_joint = branch.joint.and_then(|number| self.plan.joints.get(number));
-        let root = of_joint.and_then(|place| slot_of(place, branch.is_second));
+        let Seat { root, parent } = seat(&self.plan, branch)?;
         self.ports.port_mut(branch.body)?.close(limb, root)?;
-        let Some(number) = branch.joint else {
-            // a free body: all six
-            let [translations, rotations] = [Held::by(&[Vector3::zeros(); 3], 0); 2];
-            for (place, free) in places.iter_mut().zip(&translations.free) {
-                sound &= place.insert(Freedom::release::<0>(free, &mut limb.inertia)).is_sound();
-            }
-            for (place, free) in places.iter_mut().skip(3).zip(&rotations.free) {
-                sound &= place.insert(Freedom::release::<3>(free, &mut limb.inertia)).is_sound();
-            }
-            return Some(sound);
+        let held = match branch.joint {
+            Some(number) => held_by(self.connections.get(number)?, &joints.get(number)?.as_ref()?.rows),
+            None => [Held::nothing(); 2],
         };
-        let (connection, joint) = (self.connections.get(number)?, joints.get(number)?.as_ref()?);
-        let (held, [translations, rotations]) = held_by(connection, &joint.rows);
-        sound &= is_sound(&held);
         limb.hold(&held);
-        let (along, about) = places.split_at_mut_checked(3_usize.saturating_sub(translations))?;
-        for (place, free) in along.iter_mut().zip(&held[0].free) {
+        let mut sound = is_sound(&held);
+        let (along, about) = motions(freedoms, branch, held_translations(self.connections, branch))?;
+        let [translations, rotations] = &held;
+        for (place, free) in along.iter_mut().zip(&translations.free) {
             sound &= place.insert(Freedom::release::<0>(free, &mut limb.inertia)).is_sound();
         }
-        let count = 3_usize.saturating_sub(rotations);
-        for (place, free) in about.iter_mut().take(count).zip(&held[1].free) {
+        for (place, free) in about.iter_mut().zip(&rotations.free) {
             sound &= place.insert(Freedom::release::<3>(free, &mut limb.inertia)).is_sound();
         }
-        if let Some(parent) = branch.parent {
-            before.get_mut(parent)?.as_mut()?.bear(&limb.inertia, &limb.arm);
-            let body = self.plan.branches.get(parent)?.body;
-            let slot = slot_of(of_joint?, !branch.is_second)?;
+        if let Some(Parent { place, body, slot }) = parent {
+            before.get_mut(place)?.as_mut()?.bear(&limb.inertia, &limb.arm);
             self.ports.port_mut(body)?.bear(slot, &limb.inertia, &limb.arm);
         }
         Some(sound)
@@ -162,38 +190,31 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let Storage { limbs, freedoms, right, .. } = &mut *self.storage;
         let (before, [place, ..]) = limbs.split_at_mut_checked(index)? else { return None };
         let limb = place.as_mut()?;
-        let freedoms = freedoms.get_mut(branch.freedom..)?;
-        let (mut along, mut count) = (3, 6);
-        let of_joint = branch.joint.and_then(|number| self.plan.joints.get(number));
-        let root = of_joint.and_then(|place| slot_of(place, branch.is_second));
+        let Seat { root, parent } = seat(&self.plan, branch)?;
+        let held = held_translations(self.connections, branch);
         self.ports.port_mut(branch.body)?.yield_to(limb, root);
         if let Some(number) = branch.joint {
-            let (connection, place) = (self.connections.get(number)?, self.plan.joints.get(number)?);
-            let held = connection.kind.held_translations();
-            (along, count) = (3_usize.saturating_sub(held).min(branch.freedoms), branch.freedoms);
-            let wanted = right.get(place.node)?;
-            let (forces, moments) = (wanted.iter(), wanted.iter().skip(held));
-            let sum = |duals: &[Vector3<T>; 3], wanted: &mut dyn Iterator<Item = &T>| {
+            let wanted = right.get(self.plan.joints.get(number)?.node)?;
+            let (forces, moments) = wanted.split_at_checked(held)?;
+            let sum = |duals: &[Vector3<T>; 3], wanted: &[T]| {
                 duals.iter().zip(wanted).fold(Vector3::zeros(), |sum, (dual, wanted)| sum + dual * *wanted)
             };
             let [translations, rotations] = &limb.held;
-            let (linear, angular) =
-                (sum(translations, &mut forces.take(held)), sum(rotations, &mut { moments }));
-            let sign = if branch.is_second { T::one() } else { -T::one() };
-            limb.step = scaled(sign, &[linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]);
+            let (linear, angular) = (sum(translations, forces), sum(rotations, moments));
+            limb.step =
+                scaled(branch.sign(), &[linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]);
         }
-        let (along, about) = freedoms.get_mut(..count)?.split_at_mut_checked(along)?;
+        let (along, about) = motions(freedoms, branch, held)?;
         for freedom in along.iter_mut().flatten() {
             freedom.yield_to::<0>(&mut limb.force);
         }
         for freedom in about.iter_mut().flatten() {
             freedom.yield_to::<3>(&mut limb.force);
         }
-        if let Some(parent) = branch.parent {
+        if let Some(Parent { place, body, slot }) = parent {
             let mut pull = scaled(-T::one(), &limb.resist(&limb.step));
             add(&mut pull, &limb.force);
-            before.get_mut(parent)?.as_mut()?.push(pull, &limb.arm);
-            let (body, slot) = (self.plan.branches.get(parent)?.body, slot_of(of_joint?, !branch.is_second)?);
+            before.get_mut(place)?.as_mut()?.push(pull, &limb.arm);
             self.ports.port_mut(body)?.bear_force(slot, &pull);
         }
         Some(())
@@ -204,38 +225,32 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let Storage { limbs, freedoms, solution, .. } = &mut *self.storage;
         let (before, [place, ..]) = limbs.split_at_mut_checked(index)? else { return None };
         let limb = place.as_mut()?;
-        let freedoms = freedoms.get_mut(branch.freedom..)?;
-        let (mut along, mut count) = (3, 6);
-        let of_joint = branch.joint.and_then(|number| self.plan.joints.get(number));
-        let root = of_joint.and_then(|place| slot_of(place, branch.is_second));
+        let Seat { root, parent } = seat(&self.plan, branch)?;
+        let held = held_translations(self.connections, branch);
         let mut twist = [T::zero(); 6];
-        if let Some(parent) = branch.parent {
-            twist = before.get(parent)?.as_ref()?.twist_at(&limb.arm);
-            let (body, slot) = (self.plan.branches.get(parent)?.body, slot_of(of_joint?, !branch.is_second)?);
+        if let Some(Parent { place, body, slot }) = parent {
+            twist = before.get(place)?.as_ref()?.twist_at(&limb.arm);
             self.ports.port(body)?.carry(slot, &mut twist);
         }
         if let Some(number) = branch.joint {
-            let (connection, place) = (self.connections.get(number)?, self.plan.joints.get(number)?);
-            let held = connection.kind.held_translations();
-            (along, count) = (3_usize.saturating_sub(held).min(branch.freedoms), branch.freedoms);
             add(&mut twist, &limb.step);
             // what acts on the body at its joint, less what it would take to move alone
             let mut wrench = scaled(-T::one(), &limb.resist(&twist));
             add(&mut wrench, &limb.force);
-            let sign = if branch.is_second { T::one() } else { -T::one() };
-            let [x, y, z, r_x, r_y, r_z] = scaled(sign, &wrench);
+            let [x, y, z, r_x, r_y, r_z] = scaled(branch.sign(), &wrench);
             let (force, moment) = (Vector3::new(x, y, z), Vector3::new(r_x, r_y, r_z));
-            let negative = solution.get_mut(place.node)?;
+            let negative = solution.get_mut(self.plan.joints.get(number)?.node)?;
             *negative = [T::zero(); 6];
+            let (forces, moments) = negative.split_at_mut_checked(held)?;
             let [translations, rotations] = &limb.held;
-            for (place, dual) in negative.iter_mut().take(held).zip(translations) {
+            for (place, dual) in forces.iter_mut().zip(translations) {
                 *place = dual.dot(&force);
             }
-            for (place, dual) in negative.iter_mut().skip(held).zip(rotations) {
+            for (place, dual) in moments.iter_mut().zip(rotations) {
                 *place = dual.dot(&moment);
             }
         }
-        let (along, about) = freedoms.get(..count)?.split_at_checked(along)?;
+        let (along, about) = motions(freedoms, branch, held)?;
         for freedom in about.iter().flatten().rev() {
             freedom.follow::<3>(&mut twist);
         }

@@ -15,17 +15,17 @@ impl<T: RealField + Copy> Held<T> {
     /// Of the first `count` rows; not finite if they are dependent.
     #[inline]
     pub(crate) fn by(rows: &[Vector3<T>; 3], count: usize) -> Self {
-        let (none, axes) = (Vector3::zeros(), [Vector3::x(), Vector3::y(), Vector3::z()]);
+        let none = Vector3::zeros();
         let [first, second, third] = rows;
         match count {
-            0 => Self { duals: [none; 3], free: axes },
+            0 => Self::nothing(),
             1 => {
                 // the axis that is farthest from the row
                 let size = first.abs();
                 let axis = match (size.x <= size.y, size.y <= size.z, size.x <= size.z) {
-                    (true, _, true) => axes[0],
-                    (_, true, _) => axes[1],
-                    _ => axes[2],
+                    (true, _, true) => Vector3::x(),
+                    (_, true, _) => Vector3::y(),
+                    _ => Vector3::z(),
                 };
                 let across = first.cross(&axis);
                 let dual = first * (T::one() / first.norm_squared());
@@ -43,6 +43,11 @@ impl<T: RealField + Copy> Held<T> {
                 Self { duals, free: [none; 3] }
             }
         }
+    }
+
+    /// No rows.
+    pub(crate) fn nothing() -> Self {
+        Self { duals: [Vector3::zeros(); 3], free: [Vector3::x(), Vector3::y(), Vector3::z()] }
     }
 
     /// The axes as rows.

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, RealField, Vector3};
 
 use super::held::Held;
-use crate::six::{Square, add, add_scaled, zeros};
+use crate::six::{Square, add, add_moment, add_scaled, zeros};
 
 /// An end of a joint on a body of a tree.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,26 +129,16 @@ impl<T: RealField + Copy> Limb<T> {
         about(about_y, (z, along_x), (x, along_z));
         about(about_z, (x, along_y), (y, along_x));
         for (place, row) in self.inertia.iter_mut().zip(&mut moved) {
-            let [l_x, l_y, l_z, ..] = *row;
-            row[3] += y * l_z - z * l_y;
-            row[4] += z * l_x - x * l_z;
-            row[5] += x * l_y - y * l_x;
+            add_moment(row, arm);
             add(place, row);
         }
     }
 
     /// Adds a force at a point, `arm` from the end of its joint.
     #[inline]
-    pub(crate) fn push(&mut self, [x, y, z, r_x, r_y, r_z]: [T; 6], arm: &Vector3<T>) {
-        let more = [
-            x,
-            y,
-            z,
-            r_x + (arm.y * z - arm.z * y),
-            r_y + (arm.z * x - arm.x * z),
-            r_z + (arm.x * y - arm.y * x),
-        ];
-        add(&mut self.force, &more);
+    pub(crate) fn push(&mut self, mut force: [T; 6], arm: &Vector3<T>) {
+        add_moment(&mut force, arm);
+        add(&mut self.force, &force);
     }
 
     /// The acceleration at a point, `arm` from the end of its joint.

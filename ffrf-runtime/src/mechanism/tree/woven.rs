@@ -1,9 +1,9 @@
 //! The modes of a body in a tree, with all that hangs on it.
 
-use nalgebra::RealField;
+use nalgebra::{RealField, Vector3};
 
 use crate::body::ModalVector;
-use crate::six::{Square, add_scaled, dot, subtract_scaled};
+use crate::six::{Square, add, add_moment, add_scaled, dot, subtract_scaled};
 
 /// The modes of a body in a tree, which what hangs on it couples with each other. Frame: inertial, about the end of the body's
 /// joint.
@@ -29,7 +29,7 @@ impl<V: ModalVector<T>, T: RealField + Copy> Woven<V, T> {
     }
 
     /// Adds what hangs at an end. `twists`: Φᵀ there; `arm`: from the end of the body's joint. Shape: M x 6.
-    pub(crate) fn bear(&mut self, inertia: &Square<T>, twists: &[[T; 6]], [x, y, z]: [T; 3]) {
+    pub(crate) fn bear(&mut self, inertia: &Square<T>, twists: &[[T; 6]], arm: &Vector3<T>) {
         let count = twists.len();
         let mut rows = V::entries_mut(&mut self.modal).chunks_exact_mut(count.max(1));
         for (mode, (twist, place)) in twists.iter().zip(self.coupling.as_mut()).enumerate() {
@@ -42,11 +42,8 @@ impl<V: ModalVector<T>, T: RealField + Copy> Woven<V, T> {
                     *entry += dot(&met, other);
                 }
             }
-            let [f_x, f_y, f_z, ..] = met;
-            met[3] += y * f_z - z * f_y;
-            met[4] += z * f_x - x * f_z;
-            met[5] += x * f_y - y * f_x;
-            crate::six::add(place, &met);
+            add_moment(&mut met, arm);
+            add(place, &met);
         }
     }
 
