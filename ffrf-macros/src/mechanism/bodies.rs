@@ -91,6 +91,14 @@ impl Body {
         }
     }
 
+    /// How many modes the type of one body has, as a constant expression.
+    pub(super) fn mode_count(&self, scalar: Scalar) -> TokenStream {
+        let (kind, t) = (self.kind(&scalar), scalar.of_constants());
+        quote! {
+            ::core::mem::size_of::<<#kind as ::ffrf::FlexibleBody<#t>>::Modal>() / ::core::mem::size_of::<#t>()
+        }
+    }
+
     /// The index of a marker among those used, which it joins.
     pub(super) fn use_marker(&mut self, marker: UsedMarker) -> usize {
         let key = marker.key();

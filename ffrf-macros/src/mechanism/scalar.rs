@@ -21,6 +21,15 @@ impl Scalar {
         }
     }
 
+    /// A type that can stand in constants: of a generic mechanism the number type of its constants.
+    pub(super) fn of_constants(self) -> TokenStream {
+        if self == Self::F32 {
+            quote! { f32 }
+        } else {
+            quote! { f64 }
+        }
+    }
+
     /// Parameters where a type is declared.
     pub(super) fn declared(self) -> TokenStream {
         match self {

@@ -4,7 +4,6 @@ use ffrf_codegen::mechanism::BranchPlace;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::mechanism::scalar::Scalar;
 use crate::mechanism::spec::Spec;
 
 /// The branches of a mechanism that is a tree, in code.
@@ -27,18 +26,8 @@ pub(super) fn branches(spec: &Spec) -> Option<Branches> {
     let motions: usize = places.iter().map(|branch| branch.freedoms).sum();
     let branches = places.iter().map(branch);
     let mut constants = quote! { static BRANCHES: [places::Branch; #count] = [#(#branches),*]; };
-    let t = if spec.scalar == Scalar::F32 { quote!(f32) } else { quote!(f64) };
-    let modes: Vec<_> = spec
-        .bodies
-        .iter()
-        .filter(|body| body.is_flexible())
-        .map(|body| {
-            let kind = body.kind(&spec.scalar);
-            quote! {
-                ::core::mem::size_of::<<#kind as ::ffrf::FlexibleBody<#t>>::Modal>() / ::core::mem::size_of::<#t>()
-            }
-        })
-        .collect();
+    let flexible = spec.bodies.iter().filter(|body| body.is_flexible());
+    let modes: Vec<_> = flexible.map(|body| body.mode_count(spec.scalar)).collect();
     if modes.is_empty() {
         let counts = [count, motions].map(|count| quote! { #count });
         return Some(Branches { constants, list: quote! { &BRANCHES }, counts });

@@ -252,7 +252,7 @@ fn marker_value(body: &Body, marker: &UsedMarker, spec: &Spec) -> TokenStream {
 /// Bodies that are said to be rigid have no modes: checked while compiling.
 fn no_modes(body: &Body, scalar: Scalar) -> Option<TokenStream> {
     let Nature::Rigid(kind) = &body.nature else { return None };
-    let t = if scalar == Scalar::F32 { quote!(f32) } else { quote!(f64) };
+    let t = scalar.of_constants();
     let message = format!("body `{}` is said to be rigid, but its type has modes", body.name);
     Some(quote_spanned! { kind.span() =>
         const _: () = ::core::assert!(

@@ -4,7 +4,6 @@ use ffrf_codegen::mechanism::{BlockPlace, Hub, MechanismPlan};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::mechanism::scalar::Scalar;
 use crate::mechanism::spec::{Plans, Spec};
 
 /// The layout of a mechanism, in code.
@@ -24,13 +23,10 @@ pub(super) fn hubs(spec: &Spec) -> TokenStream {
     if spec.hubs.is_empty() {
         return TokenStream::new();
     }
-    let t = if spec.scalar == Scalar::F32 { quote!(f32) } else { quote!(f64) };
     let modes = spec.hubs.iter().filter_map(|hub| {
-        let body = spec.bodies.iter().find(|body| (body.first..body.first + body.len()).contains(&hub.body))?;
-        let kind = body.kind(&spec.scalar);
-        Some(quote! {
-            ::core::mem::size_of::<<#kind as ::ffrf::FlexibleBody<#t>>::Modal>() / ::core::mem::size_of::<#t>()
-        })
+        let body =
+            spec.bodies.iter().find(|body| (body.first..body.first + body.len()).contains(&hub.body))?;
+        Some(body.mode_count(spec.scalar))
     });
     let count = spec.hubs.len();
     let keeps = if spec.hubs.iter().any(Hub::always_keeps) {

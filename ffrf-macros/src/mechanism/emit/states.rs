@@ -44,7 +44,7 @@ pub(super) fn states(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
         _ => quote! { <'a> },
     };
     let in_double = spec.scalar.in_double();
-    let double = if spec.scalar == crate::mechanism::scalar::Scalar::F32 { quote!(f32) } else { quote!(f64) };
+    let double = spec.scalar.of_constants();
     let saved = spec.bodies.iter().map(|body| {
         let each = slice(body, &quote! { self });
         quote! {
