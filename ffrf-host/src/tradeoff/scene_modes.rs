@@ -61,6 +61,21 @@ impl SceneModes {
                 .join("+"),
         }
     }
+
+    /// The form that the same modes of these bodies have always: one choice for all where one says it, else every body named.
+    pub(super) fn canonical(self, bodies: &[(&str, usize)]) -> Self {
+        if matches!(self, Self::Every(_)) {
+            return self;
+        }
+        let own = |(body, available): &(&str, usize)| ((*body).to_owned(), self.of(body, *available));
+        let all: BTreeMap<String, Modes> = bodies.iter().map(own).collect();
+        let says_it =
+            |one: &&Modes| bodies.iter().all(|(body, available)| all.get(*body) == Some(&one.of(*available)));
+        match all.values().find(says_it) {
+            Some(one) => Self::Every(one.clone()),
+            None => Self::Each(all),
+        }
+    }
 }
 
 impl From<Modes> for SceneModes {
@@ -184,24 +199,6 @@ pub(super) fn check_names<'a>(
         }
     }
     Ok(())
-}
-
-impl SceneModes {
-    /// The form that the same modes of these bodies have always: one choice for all where one says it, else every body named.
-    pub(super) fn canonical(self, bodies: &[(&str, usize)]) -> Self {
-        let Self::Each(each) = &self else { return self };
-        let own = |body: &str, available: usize| {
-            each.get(body).map_or(Modes::first(available), |modes| modes.of(available))
-        };
-        let all: BTreeMap<String, Modes> =
-            bodies.iter().map(|(body, available)| ((*body).to_owned(), own(body, *available))).collect();
-        let says_it =
-            |one: &&Modes| bodies.iter().all(|(body, available)| all.get(*body) == Some(&one.of(*available)));
-        match all.values().find(says_it) {
-            Some(one) => Self::Every(one.clone()),
-            None => Self::Each(all),
-        }
-    }
 }
 
 #[cfg(test)]

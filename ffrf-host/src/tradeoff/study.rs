@@ -139,11 +139,14 @@ impl Study {
 
     /// The one form that a choice of modes of these bodies has. Errors: a name that no flexible body has.
     pub fn canonical(&self, modes: SceneModes) -> Result<SceneModes, TradeoffError> {
-        let bodies = self.flexible_bodies();
-        if let SceneModes::Each(each) = &modes {
-            check_names(each.keys().map(String::as_str), &bodies).map_err(TradeoffError::Modes)?;
-        }
-        Ok(modes.canonical(&bodies))
+        self.check_bodies(&modes)?;
+        Ok(modes.canonical(&self.flexible_bodies()))
+    }
+
+    /// Errors: a name that no flexible body has.
+    fn check_bodies(&self, modes: &SceneModes) -> Result<(), TradeoffError> {
+        let SceneModes::Each(each) = modes else { return Ok(()) };
+        check_names(each.keys().map(String::as_str), &self.flexible_bodies()).map_err(TradeoffError::Modes)
     }
 
     /// Every term of the kinetic energy that all flexible bodies hold: what the reference has. `full`, but of bodies that were
@@ -280,7 +283,7 @@ impl Study {
     /// The scene with these modes of each flexible body, and these terms. Errors: the scene cannot be assembled so, or a body
     /// that is named is none that is flexible.
     pub fn variant(&self, modes: &SceneModes, fidelity: &Fidelity) -> Result<Variant, TradeoffError> {
-        self.canonical(modes.clone())?;
+        self.check_bodies(modes)?;
         let file = self.file_with(modes, fidelity);
         let scene = Scene::compose(&file, &self.folder)?;
         let (initial, _) = scene.assembled()?;

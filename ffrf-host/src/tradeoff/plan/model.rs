@@ -123,17 +123,18 @@ impl<'a> Search<'a> {
         if low > high {
             return None;
         }
+        let richest = self.richest.clone();
         while low < high {
             let middle = low.midpoint(high);
             let some = modes(self, middle);
-            if self.error(&some, &self.richest.clone()) <= error {
+            if self.error(&some, &richest) <= error {
                 high = middle;
             } else {
                 low = middle + 1;
             }
         }
         let found = modes(self, low);
-        (self.error(&found, &self.richest.clone()) <= error).then_some(found)
+        (self.error(&found, &richest) <= error).then_some(found)
     }
 
     /// What a model lacks; infinite where it cannot be assembled or run.
