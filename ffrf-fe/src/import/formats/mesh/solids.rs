@@ -1,5 +1,6 @@
 //! What a mesh file supplies, gathered while it is read.
 
+use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 
 use crate::import::ImportError;
@@ -63,14 +64,15 @@ impl Solids {
     pub(super) fn add(&mut self, kind: ElementKind, nodes: Vec<usize>, place: usize) -> Result<usize, usize> {
         let mut corners = nodes.clone();
         corners.sort_unstable();
-        let number = self.elements.len();
-        if let Some(&other) = self.seen.get(&corners) {
-            return Err(other);
+        match self.seen.entry(corners) {
+            Entry::Occupied(other) => Err(*other.get()),
+            Entry::Vacant(entry) => {
+                let number = *entry.insert(self.elements.len());
+                self.elements.push(Element { kind, nodes });
+                self.places.push(place);
+                Ok(number)
+            }
         }
-        self.seen.insert(corners, number);
-        self.elements.push(Element { kind, nodes });
-        self.places.push(place);
-        Ok(number)
     }
 
     /// Adds solids to a group.
