@@ -4,13 +4,13 @@
 //! CalculiX solves with elements of reduced integration (C3D20R), whose stresses hold at the faces; ours integrate fully.
 
 use std::fmt::Write as _;
-use std::process::Command;
 
 use ffrf_fe::elements::quadratic_brick;
 use ffrf_fe::modes::{ModeRequest, compute_modes};
 use ffrf_fe::section::{SectionRequest, section_marker};
 use ffrf_fe::{FeModel, ModeBasis};
 use ffrf_model::Vector3;
+use ffrf_test_kit::calculix;
 
 use crate::section::{STEEL, at_rest};
 
@@ -29,16 +29,8 @@ const VIBRATING: f64 = 1e-2;
 
 /// Force and moment about the middle of the section: at rest, and of each mode.
 fn of_calculix(model: &FeModel) -> Option<Vec<[f64; 6]>> {
-    if Command::new("ccx").arg("-v").output().is_err() {
-        eprintln!("SKIPPED: no ccx (Debian: calculix-ccx)");
-        return None;
-    }
     let folder = tempfile::tempdir().expect("a folder");
-    std::fs::write(folder.path().join("bar.inp"), deck(model)).expect("written");
-    let run = Command::new("ccx").arg("bar").current_dir(folder.path()).env("OMP_NUM_THREADS", "1").output();
-    let run = run.expect("started");
-    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
-    let text = std::fs::read_to_string(folder.path().join("bar.dat")).expect("results");
+    let text = calculix::results(folder.path(), &deck(model))?;
     let after = |head: &str| -> Vec<Vec<f64>> {
         let lines: Vec<&str> = text.lines().collect();
         let heads = (0..lines.len()).filter(|&line| lines[line].contains(head));

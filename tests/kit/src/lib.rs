@@ -1,4 +1,4 @@
-//! What the tests and benchmarks of several packages share: bodies, witnesses, helpers of proofs, tolerances, compilers.
+//! What the tests and benchmarks of several packages share: bodies, witnesses, helpers of proofs, tolerances, compilers, CalculiX.
 //!
 //! No package depends on it but for development. Integration tests of a package that this one depends on share its
 //! types; unit tests inside such a package do not, since they are compiled apart.
@@ -6,6 +6,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // helpers of tests are tests
 
 pub mod c_compilers;
+pub mod calculix;
 pub mod random;
 pub mod random_body;
 pub mod scene_text;

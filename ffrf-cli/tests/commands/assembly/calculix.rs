@@ -1,37 +1,16 @@
 //! The same structure as a CalculiX deck: C3D20 solids, rigid bodies at interfaces, equations at joints, and springs. Numbers carry a point: CalculiX refuses some that do not.
 
 use std::fmt::Write as _;
-use std::path::Path;
-use std::process::Command;
+
+use ffrf_test_kit::calculix;
 
 use super::structure::{Motion, Structure};
 
 /// Frequencies that CalculiX finds, or `None`, said loudly, if there is no `ccx`. Units: Hz.
 pub fn frequencies(structure: &Structure, count: usize) -> Option<Vec<f64>> {
-    if Command::new("ccx").arg("-v").output().is_err() {
-        eprintln!("SKIPPED: no ccx (Debian: calculix-ccx)");
-        return None;
-    }
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("structure.inp"), deck(structure, count)).unwrap();
-    let run =
-        Command::new("ccx").arg("structure").current_dir(folder.path()).env("OMP_NUM_THREADS", "1").output();
-    let run = run.unwrap();
-    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stdout));
-    Some(read(&folder.path().join("structure.dat"), count))
-}
-
-/// The column CYCLES/TIME of the table of eigenvalues.
-fn read(path: &Path, count: usize) -> Vec<f64> {
-    let text = std::fs::read_to_string(path).unwrap();
-    let rows = text.lines().skip_while(|line| !line.contains("E I G E N V A L U E")).skip(1);
-    let numbers = rows.take_while(|line| !line.contains("P A R T I C I P A T I O N")).filter_map(|line| {
-        let fields: Vec<f64> = line.split_whitespace().map_while(|field| field.parse().ok()).collect();
-        (fields.len() == 5).then(|| fields[3])
-    });
-    let found: Vec<f64> = numbers.collect();
-    assert!(found.len() >= count, "{count} frequencies expected:\n{text}");
-    found
+    let results = calculix::results(folder.path(), &deck(structure, count))?;
+    Some(calculix::frequencies(&results, count))
 }
 
 fn deck(structure: &Structure, count: usize) -> String {
