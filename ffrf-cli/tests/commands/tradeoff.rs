@@ -275,8 +275,6 @@ fn bodies_have_modes_of_their_own() {
     bench.run(&format!("{grid} --modes beam=x")).failed(2, &["--modes"]);
 }
 
-/// What was counted on cores stands beside the runs of its programs, whatever their steps; the rest of the sweep does not wait
-/// for tools that are not there.
 /// Three of four modes against all four must be off by the same, whether the scene has four and a configuration takes three, or the
 /// scene has a body of three and the reference another model.
 #[test]
@@ -327,6 +325,8 @@ fn modes_that_the_scene_does_not_have_are_in_the_reference_that_another_model_gi
     run("bent.toml", "wrong", &[&of_reference]).failed(1, &["begins deformed"]);
 }
 
+/// What was counted on cores stands beside the runs of its programs, whatever their steps; the rest of the sweep does not wait
+/// for tools that are not there.
 #[test]
 fn counts_on_a_core_are_columns_of_the_runs_and_are_asked_for_after_them() {
     let bench = Workbench::new();
