@@ -11,6 +11,8 @@ use ffrf_model::{ModeSelection, ReducedBody};
 use crate::arguments::Generate;
 use crate::output;
 
+mod straight_line;
+
 /// Runs the command.
 pub fn run(arguments: &Generate) -> Result<()> {
     let default = GenerateOptions::default();
@@ -61,12 +63,10 @@ fn write_c(arguments: &Generate, body: &ReducedBody, options: &GenerateOptions) 
 /// The time step of a scene's mechanism in C.
 fn mechanism(arguments: &Generate, path: &Path, options: GenerateOptions) -> Result<()> {
     if arguments.language != Language::C {
-        bail!("{}: a scene is generated with --language c, expected a model", path.display());
+        return straight_line::run(arguments, path, options);
     }
+    refuse_of_scenes(arguments)?;
     for (is_given, what, where_) in [
-        (arguments.modes.is_some(), "--modes", "`modes` of the bodies in the scene"),
-        (arguments.fidelity != Fidelity::default(), "--fidelity", "`fidelity` of the bodies in the scene"),
-        (arguments.jacobians, "--jacobians", "none: a step needs no Jacobians"),
         (arguments.fma == FusedMultiplyAdd::On, "--fma on", "auto or off"),
         (arguments.strategy == Strategy::Lanes, "--strategy lanes", "auto or straight_line"),
     ] {
@@ -82,6 +82,20 @@ fn mechanism(arguments: &Generate, path: &Path, options: GenerateOptions) -> Res
     let code = ffrf_codegen::generate_mechanism_c(&model, &options)
         .with_context(|| format!("{}", path.display()))?;
     write_both(arguments, [&code.header, &code.source, &code.single], &code.prefix)
+}
+
+/// Refuses what a scene says itself.
+fn refuse_of_scenes(arguments: &Generate) -> Result<()> {
+    for (is_given, what, where_) in [
+        (arguments.modes.is_some(), "--modes", "`modes` of the bodies in the scene"),
+        (arguments.fidelity != Fidelity::default(), "--fidelity", "`fidelity` of the bodies in the scene"),
+        (arguments.jacobians, "--jacobians", "none: a step needs no Jacobians"),
+    ] {
+        if is_given {
+            bail!("{what} with a scene: expected {where_}");
+        }
+    }
+    Ok(())
 }
 
 fn write_both(arguments: &Generate, [header, text, single]: [&str; 3], prefix: &str) -> Result<()> {

@@ -80,6 +80,14 @@ pub enum CodegenError {
         /// What can be had.
         expected: &'static str,
     },
+    /// A scalar type that functions on arrays do not have.
+    #[error("scalar {found} cannot be had of a function on arrays: expected {expected}")]
+    NotInArrays {
+        /// The scalar type.
+        found: &'static str,
+        /// What can be had.
+        expected: &'static str,
+    },
     /// A mechanism cannot be composed.
     #[error(transparent)]
     Topology(#[from] TopologyError),

@@ -11,6 +11,7 @@
 //! that calls [`generate`] and writes [`GeneratedCode::text`] to a file. A pure library: no files, no environment.
 #![forbid(unsafe_code)]
 
+pub mod array_function;
 pub mod body;
 pub mod derive;
 pub mod expression;
@@ -34,6 +35,10 @@ mod prepare;
 mod report;
 mod validate;
 
+pub use array_function::{
+    ArrayFunction, ArrayInput, Call, Condition, Function, GeneratedArrayFunction, Relation,
+    generate_array_function,
+};
 pub use counts::OperationCounts;
 pub use error::CodegenError;
 pub use fidelity::Fidelity;

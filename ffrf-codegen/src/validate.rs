@@ -2,7 +2,7 @@
 
 use crate::expression::{Expression, Node, Symbol};
 use crate::formulate::Kernel;
-use crate::{CodegenError, ScalarType};
+use crate::{ArrayInput, CodegenError, ScalarType};
 
 /// A kernel whose constants are finite, whose inputs are in its signature, whose nodes refer backwards, and
 /// which has as many results as its signature needs.
@@ -14,13 +14,35 @@ impl ValidKernel {
     ///
     /// Errors: `OutputCount`, `NotFinite`, `UndefinedSymbol`, `ForwardReference`.
     pub fn new(kernel: Kernel, scalar: ScalarType, has_parameters: bool) -> Result<Self, CodegenError> {
+        Self::with_inputs(kernel, scalar, |kernel, symbol| is_input(kernel, symbol, has_parameters))
+    }
+
+    /// [`new`](Self::new) of a kernel whose inputs are entries of arrays.
+    pub(crate) fn of_arrays(
+        kernel: Kernel,
+        scalar: ScalarType,
+        arrays: &[ArrayInput],
+    ) -> Result<Self, CodegenError> {
+        Self::with_inputs(kernel, scalar, |_, symbol| match symbol {
+            Symbol::Intermediate(entry, index) => {
+                arrays.iter().any(|array| array.entry == entry && index < array.count)
+            }
+            Symbol::Input(..) | Symbol::Parameter(..) => false,
+        })
+    }
+
+    fn with_inputs(
+        kernel: Kernel,
+        scalar: ScalarType,
+        is_input: impl Fn(&Kernel, Symbol) -> bool,
+    ) -> Result<Self, CodegenError> {
         let name = kernel.signature.name;
         let expected = kernel.signature.entries(kernel.mode_count);
         if kernel.outputs.len() != expected {
             return Err(CodegenError::OutputCount { kernel: name, found: kernel.outputs.len(), expected });
         }
         for (handle, node) in kernel.graph.nodes() {
-            check_node(&kernel, handle, node, scalar, has_parameters)?;
+            check_node(&kernel, handle, node, scalar, &is_input)?;
         }
         if let Some(output) = kernel.outputs.iter().find(|output| output.index() >= kernel.graph.len()) {
             let (node, operand) = (kernel.graph.len(), output.index());
@@ -40,7 +62,7 @@ fn check_node(
     handle: Expression,
     node: Node,
     scalar: ScalarType,
-    has_parameters: bool,
+    is_input: &impl Fn(&Kernel, Symbol) -> bool,
 ) -> Result<(), CodegenError> {
     let name = kernel.signature.name;
     match node {
@@ -51,7 +73,7 @@ fn check_node(
                 found: constant.value(),
             });
         }
-        Node::Symbol(symbol) if !is_input(kernel, symbol, has_parameters) => {
+        Node::Symbol(symbol) if !is_input(kernel, symbol) => {
             return Err(CodegenError::UndefinedSymbol { kernel: name, symbol: symbol.to_string() });
         }
         _ => {}

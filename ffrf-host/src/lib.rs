@@ -18,6 +18,7 @@ pub mod mechanism;
 pub mod picture;
 pub mod scene;
 pub mod simulate;
+pub mod straight_line;
 pub mod tradeoff;
 
 pub use body::{HostBody, HostModal};

@@ -49,10 +49,11 @@ fn law() -> BTreeMap<&'static str, Allowed> {
         (
             "ffrf-host",
             entry(
-                &["ffrf-codegen", "ffrf-model", "ffrf-runtime"],
+                &["ffrf-codegen", "ffrf-model", "ffrf-runtime", "ffrf-trace"],
                 &["faer", "nalgebra", "num-dual", "serde", "thiserror", "toml"],
             ),
         ),
+        ("ffrf-trace", entry(&["ffrf-codegen"], &["approx", "nalgebra", "num-traits", "simba"])),
         ("ffrf-c-interface", entry(&["ffrf"], &[])),
         ("ffrf-fmu", entry(&["ffrf-codegen", "ffrf-host"], &["sha2", "thiserror"])),
         ("ffrf-python", entry(&["ffrf-cli", "ffrf-host", "ffrf-model"], &["anyhow", "pyo3", "serde_json"])),

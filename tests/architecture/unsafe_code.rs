@@ -1,13 +1,15 @@
-//! No crate may hold unsafe code, but for the borders to C, which are modules of their own.
+//! No crate may hold unsafe code, but for the borders to C and to a trait with the word in its signatures, which are modules
+//! of their own.
 
 use std::fs;
 
 use crate::workspace::{packages, root, source_files};
 
-/// Crates with a border to C, their sources, and the folder that it is.
-const BORDERS: [(&str, &str, &str); 2] = [
+/// Crates with a border, their sources, and the folder or file that it is.
+const BORDERS: [(&str, &str, &str); 3] = [
     ("ffrf-fmu", "ffrf-fmu/src", "ffrf-fmu/src/ffi"),
     ("ffrf-c-interface", "examples/c_interface/src", "examples/c_interface/src/border"),
+    ("ffrf-trace", "ffrf-trace/src", "ffrf-trace/src/register.rs"),
 ];
 
 /// Code with the word `unsafe`, without what comments and texts say.

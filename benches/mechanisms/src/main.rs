@@ -138,8 +138,19 @@ ffrf::mechanism! {
     }
 }
 
-const NAMES: [&str; 14] = [
+/// What `ffrf generate scenes/NAME.toml -o src/straight_line/NAME.rs` prints: the accelerations in straight-line code.
+mod straight_line {
+    pub mod pendulum_n8 {
+        include!("straight_line/pendulum_n8.rs");
+    }
+    pub mod slider_crank_m8 {
+        include!("straight_line/slider_crank_m8.rs");
+    }
+}
+
+const NAMES: [&str; 16] = [
     "slider_crank_m8",
+    "slider_crank_m8_straight_line",
     "slider_crank_m8_step_rk4",
     "slider_crank_m8_step_linearly_implicit",
     "chain_m4_n1",
@@ -152,6 +163,7 @@ const NAMES: [&str; 14] = [
     "flexible_star_m8_n64",
     "tree_m4_n31",
     "pendulum_rigid_n8",
+    "pendulum_rigid_n8_straight_line",
     "pendulum_rigid_n64",
 ];
 
@@ -170,6 +182,16 @@ macro_rules! rest {
     ($model:expr, $calls:expr) => {{
         let model = $model;
         evaluate(&model.in_motion(model.at_rest()), $calls);
+    }};
+}
+
+/// The same with accelerations in straight-line code, which must hold in that state.
+macro_rules! straight_line {
+    ($model:expr, $calls:expr) => {{
+        let model = $model;
+        let mechanism = model.in_motion(model.at_rest());
+        assert!(mechanism.straight_difference().is_some());
+        evaluate(&mechanism, $calls);
     }};
 }
 
@@ -207,6 +229,9 @@ fn advance(
 fn call(name: &str, calls: usize) -> Option<()> {
     match name {
         "slider_crank_m8" => rest!(SliderCrank::new(Rod), calls),
+        "slider_crank_m8_straight_line" => {
+            straight_line!(straight_line::slider_crank_m8::SliderCrankM8::new(straight_line::slider_crank_m8::Rod), calls);
+        }
         "slider_crank_m8_step_rk4" => {
             advance(turning(), calls, |mechanism, step| mechanism.step_rk4(0.01 * step))
         }
@@ -224,6 +249,9 @@ fn call(name: &str, calls: usize) -> Option<()> {
         "tree_m4_n31" => rest!(Tree31::new([Link; 31]), calls),
         "pendulum_rigid_n8" => rest!(Pendulum8::new(), calls),
         "pendulum_rigid_n64" => rest!(Pendulum64::new(), calls),
+        "pendulum_rigid_n8_straight_line" => {
+            straight_line!(straight_line::pendulum_n8::PendulumN8::new(), calls);
+        }
         _ => return None,
     }
     Some(())

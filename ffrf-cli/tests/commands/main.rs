@@ -17,6 +17,7 @@ mod reference_cases;
 mod simulate;
 mod simulate_outputs;
 mod stiffening;
+mod straight_line;
 mod tradeoff;
 mod view;
 mod workbench;

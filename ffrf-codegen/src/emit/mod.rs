@@ -24,10 +24,10 @@ pub(crate) use self::c::{
 };
 use ffrf_model::ReducedBody;
 
-use crate::GenerateOptions;
 use crate::lanes::Lanes;
 use crate::report::Report;
 use crate::validate::ValidKernel;
+use crate::{ArrayFunction, GenerateOptions};
 
 /// A body that is to be printed, besides its kernels.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +45,15 @@ pub(crate) struct Subject<'a> {
 /// The whole text of a body in Rust.
 pub(crate) fn rust(subject: &Subject<'_>, kernels: &[ValidKernel]) -> String {
     rust::body(subject, kernels)
+}
+
+/// A function on arrays in Rust; the results of its kernel are those of the function, then both sides of its conditions.
+pub(crate) fn rust_array_function(
+    function: &ArrayFunction,
+    kernel: &ValidKernel,
+    options: &GenerateOptions,
+) -> String {
+    rust::array_function(function, kernel, options)
 }
 
 /// Header and source of a body in C.

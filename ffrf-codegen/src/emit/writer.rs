@@ -73,13 +73,23 @@ impl Writer {
 
     /// A function: its head on one line if it fits and `may_be_short`, else one argument a line; then its body.
     pub(super) fn function(&mut self, head: &FunctionHead<'_>, body: impl FnOnce(&mut Self)) {
+        self.prefixed_function("", head, body);
+    }
+
+    /// [`function`](Self::function) with a visibility before it.
+    pub(super) fn prefixed_function(
+        &mut self,
+        prefix: &str,
+        head: &FunctionHead<'_>,
+        body: impl FnOnce(&mut Self),
+    ) {
         let FunctionHead { name, inputs, result, may_be_short } = head;
         let arrow = if result.is_empty() { String::new() } else { format!(" -> {result}") };
-        let short = format!("fn {name}({}){arrow} {{", inputs.join(", "));
+        let short = format!("{prefix}fn {name}({}){arrow} {{", inputs.join(", "));
         if *may_be_short && short.len() <= LINE_WIDTH - 4 {
             self.line(short);
         } else {
-            self.line(format!("fn {name}("));
+            self.line(format!("{prefix}fn {name}("));
             self.depth += 1;
             for input in *inputs {
                 self.line(format!("{input},"));

@@ -34,6 +34,8 @@ pub struct HostMechanism<T: RealField + Copy = f64> {
     markers: Vec<Vec<Marker<HostModal<T>, T>>>,
     connections: Vec<Connection<T>>,
     drives: Vec<Option<Drive>>,
+    /// Value, rate and acceleration of each drive where they do not come from it.
+    drive_values: Option<Vec<[T; 3]>>,
     gravity: Vector3<T>,
     elements: Vec<Element<T>>,
     actuators: Vec<ScheduledActuator<T>>,
@@ -83,6 +85,7 @@ impl HostMechanism {
             markers,
             connections,
             drives,
+            drive_values: None,
             gravity,
             elements: Vec::new(),
             actuators: Vec::new(),
@@ -117,6 +120,7 @@ impl HostMechanism {
                 .collect(),
             connections: self.connections.iter().map(Connection::cast).collect(),
             drives: self.drives.clone(),
+            drive_values: None,
             gravity: self.gravity.map(convert),
             elements: self
                 .elements
@@ -222,6 +226,13 @@ impl<T: RealField + Copy> HostMechanism<T> {
         if let Some(place) = self.drives.get_mut(connection) {
             *place = Some(drive);
         }
+        self
+    }
+
+    /// The same mechanism with these values, rates and accelerations of the drive of each connection, at any time.
+    #[must_use]
+    pub fn with_drive_values(mut self, values: Vec<[T; 3]>) -> Self {
+        self.drive_values = Some(values);
         self
     }
 
@@ -397,6 +408,9 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     }
 
     fn drive(&self, joint: usize, time: T) -> [T; 3] {
+        if let Some(values) = &self.drive_values {
+            return values.get(joint).copied().unwrap_or([T::zero(); 3]);
+        }
         // time is a plain number in every type: nothing is differentiated by it
         let time = try_convert(time).unwrap_or(f64::NAN);
         let drive = self.drives.get(joint).and_then(Option::as_ref);

@@ -1,6 +1,7 @@
 //! Scene files: mechanisms without a compiler.
 
 mod bodies;
+mod calls;
 mod compose;
 mod consistency;
 mod efforts;
@@ -17,6 +18,7 @@ mod scene_model;
 mod sensors;
 mod settings;
 
+pub use calls::{BodyCall, MacroCalls, camel, macro_calls};
 pub use compose::Scene;
 pub use consistency::{Residuals, residuals};
 pub use error::SceneError;

@@ -8,7 +8,6 @@
 //! Which outcomes are kept, and where, is the caller's business: [`sweep`] asks for none that is there already.
 
 mod bounds;
-mod calls;
 mod channel;
 mod configuration;
 mod cost;

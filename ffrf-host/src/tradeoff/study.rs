@@ -15,7 +15,10 @@ use super::held::{Held, with_fidelities};
 use super::modes::Modes;
 use super::scene_modes::{ModeValues, SceneModes, check_names, combinations};
 use crate::scene::file::{BodyTable, FidelityValue, FunctionValue, SceneFile};
-use crate::scene::{Coordinates, Integrator, ModesValue, Scene, SceneError, Settings, StepChoice};
+use crate::scene::{
+    BodyCall, Coordinates, Integrator, MacroCalls, ModesValue, Scene, SceneError, Settings, StepChoice,
+    macro_calls,
+};
 use crate::{HostBody, HostModal};
 
 /// A scene to be studied.
@@ -232,10 +235,18 @@ impl Study {
     /// The macro calls that make the scene with a configuration. `title`: name of the mechanism.
     pub fn macro_calls(&self, title: &str, configuration: &Configuration) -> String {
         let bodies = self.file.bodies.iter().zip(&self.available);
-        let modes: Vec<Option<Modes>> = bodies
-            .map(|((name, _), available)| available.map(|most| configuration.modes.of(name, most)))
+        let calls: Vec<Option<BodyCall>> = bodies
+            .map(|((name, _), available)| {
+                let modes = available.map(|most| configuration.modes.of(name, most))?;
+                let (mode_count, fidelity) = (modes.count(), configuration.fidelity.clone());
+                Some(BodyCall { modes: modes.selection(), mode_count, fidelity })
+            })
             .collect();
-        super::calls::calls(&self.file, &self.folder, title, &modes, configuration)
+        let scalar = configuration.scalar;
+        let calls = MacroCalls { title, bodies: &calls, scalar, accelerations: None };
+        let text = macro_calls(&self.file, &self.folder, &calls);
+        let (name, step) = (configuration.integrator.name(), configuration.step);
+        format!("{text}// integrator: {name}, steps of {step:e} s\n")
     }
 
     /// The model of body `index` with all its modes. Errors: the body is rigid, or its model cannot be read.

@@ -15,6 +15,7 @@ mod reactions;
 mod redundancy_report;
 mod redundant;
 mod rigid_mechanisms;
+mod straight_line;
 mod tolerances;
 mod trees;
 mod witness;

@@ -6,6 +6,7 @@
 //! const _: () = { functions; impl traits };    function, in_place, lanes, implementation
 //! ```
 
+mod array_function;
 mod check;
 mod found_registers;
 mod function;
@@ -18,6 +19,7 @@ mod notation;
 mod parameters;
 mod structure;
 
+pub(super) use self::array_function::array_function;
 use self::function::function;
 use super::expression::expression;
 use super::units::UnitNames;

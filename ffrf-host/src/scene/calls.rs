@@ -1,4 +1,4 @@
-//! The calls of the macros that make a scene with a configuration: what is planned, as code.
+//! The calls of the macros that make a scene: its bodies and its mechanism, as code.
 //!
 //! What the macro does not have (formulas of time, inputs of actuators) stands in comments at its place.
 
@@ -6,45 +6,71 @@ use std::fmt::Write as _;
 use std::path::{Component, Path, PathBuf};
 
 use ffrf_codegen::{Fidelity, ScalarType};
+use ffrf_model::ModeSelection;
 
-use super::configuration::Configuration;
-use super::modes::Modes;
-use crate::scene::file::{BodyTable, ForceTable, FunctionValue, JointTable, SceneFile, Vector};
+use super::file::{BodyTable, ForceTable, FunctionValue, JointTable, SceneFile, Vector};
+use super::{Scene, SceneModel};
 
-/// The calls. `folder`: that of the scene, from where the calls are to stand; `title`: name of the mechanism; `modes`: for each
-/// body, none of rigid ones.
-pub(super) fn calls(
-    file: &SceneFile,
-    folder: &Path,
-    title: &str,
-    modes: &[Option<Modes>],
-    configuration: &Configuration,
-) -> String {
+/// A flexible body as a macro makes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyCall {
+    /// Which modes of its model.
+    pub modes: ModeSelection,
+    /// How many they are.
+    pub mode_count: usize,
+    /// Terms of its kinetic energy.
+    pub fidelity: Fidelity,
+}
+
+/// How a scene is made by macros.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MacroCalls<'a> {
+    /// Name of the mechanism.
+    pub title: &'a str,
+    /// For each body, none of rigid ones.
+    pub bodies: &'a [Option<BodyCall>],
+    /// Number type.
+    pub scalar: ScalarType,
+    /// The function with the accelerations of the whole mechanism, if there is one.
+    pub accelerations: Option<&'a str>,
+}
+
+impl Scene {
+    /// Its bodies as macros make them; `file`: where they stand.
+    pub fn body_calls(&self, file: &SceneFile) -> Vec<Option<BodyCall>> {
+        let bodies = file.bodies.iter().zip(&self.models);
+        let call = |table: &BodyTable, SceneModel { model, fidelity }: &SceneModel| {
+            let all = ModeSelection::First(model.mode_count());
+            let modes = table.modes.as_ref().map_or(all, |modes| modes.0.clone());
+            BodyCall { modes, mode_count: model.mode_count(), fidelity: fidelity.clone() }
+        };
+        bodies.map(|((_, table), model)| model.as_ref().map(|model| call(table, model))).collect()
+    }
+}
+
+/// The calls. `folder`: that of the scene, from where the calls are to stand.
+pub fn macro_calls(file: &SceneFile, folder: &Path, calls: &MacroCalls<'_>) -> String {
     let mut text = String::from(
-        "// paths of models: from where this was planned, which is to be the folder of Cargo.toml\n",
+        "// paths of models: from where this was made, which is to be the folder of Cargo.toml\n",
     );
-    for ((name, table), modes) in file.bodies.iter().zip(modes) {
-        if let (Some(model), Some(modes)) = (&table.model, modes) {
+    for ((name, table), call) in file.bodies.iter().zip(calls.bodies) {
+        if let (Some(model), Some(call)) = (&table.model, call) {
             let _ = writeln!(text, "ffrf::flexible_body! {{\n    pub struct {} {{", camel(name));
-            let _ = writeln!(
-                text,
-                "        model: {:?},\n        modes: {},",
-                tidy(folder, model),
-                modes.selection()
-            );
-            if configuration.fidelity != Fidelity::Full && modes.count() > 0 {
-                let _ = writeln!(text, "        fidelity: {},", configuration.fidelity);
+            let _ =
+                writeln!(text, "        model: {:?},\n        modes: {},", tidy(folder, model), call.modes);
+            if call.fidelity != Fidelity::Full && call.mode_count > 0 {
+                let _ = writeln!(text, "        fidelity: {},", call.fidelity);
             }
-            if configuration.scalar == ScalarType::F32 {
+            if calls.scalar == ScalarType::F32 {
                 text.push_str("        scalar: f32,\n");
             }
             text.push_str("    }\n}\n");
         }
     }
-    let _ = writeln!(text, "ffrf::mechanism! {{\n    pub struct {} {{", camel(title));
-    let bodies = file.bodies.iter().zip(modes).map(|((name, table), modes)| {
+    let _ = writeln!(text, "ffrf::mechanism! {{\n    pub struct {} {{", camel(calls.title));
+    let bodies = file.bodies.iter().zip(calls.bodies).map(|((name, table), call)| {
         let free = if is_held(file, name) { "" } else { "free " };
-        format!("{name}: {free}{},", body(name, table, modes.as_ref()))
+        format!("{name}: {free}{},", body(name, table, call.as_ref()))
     });
     section(&mut text, "bodies", bodies.collect());
     if file.simulation.gravity != [0.0; 3] {
@@ -58,12 +84,13 @@ pub(super) fn calls(
         kind => format!("{name}: {kind}({}),", table.of),
     });
     section(&mut text, "sensors", sensors.collect());
-    if configuration.scalar == ScalarType::F32 {
+    if calls.scalar == ScalarType::F32 {
         text.push_str("        scalar: f32,\n");
     }
-    let step = format!("{:e}", configuration.step);
-    let name = configuration.integrator.name();
-    let _ = writeln!(text, "    }}\n}}\n// integrator: {name}, steps of {step} s");
+    if let Some(function) = calls.accelerations {
+        let _ = writeln!(text, "        accelerations: {function},");
+    }
+    text.push_str("    }\n}\n");
     text
 }
 
@@ -99,8 +126,8 @@ fn tidy(folder: &Path, name: &str) -> String {
     path.display().to_string().replace(std::path::MAIN_SEPARATOR, "/")
 }
 
-fn body(name: &str, table: &BodyTable, modes: Option<&Modes>) -> String {
-    match (modes.map(Modes::count), table.mass) {
+fn body(name: &str, table: &BodyTable, call: Option<&BodyCall>) -> String {
+    match (call.map(|call| call.mode_count), table.mass) {
         (Some(0), _) => format!("rigid {}", camel(name)),
         (Some(_), _) => camel(name),
         (None, mass) => {
@@ -227,7 +254,7 @@ fn force(name: &str, table: &ForceTable) -> String {
 }
 
 /// `connecting_rod` as the name of a type.
-fn camel(name: &str) -> String {
+pub fn camel(name: &str) -> String {
     let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
     let camel: String = words
         .map(|word| {

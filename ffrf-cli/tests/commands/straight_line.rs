@@ -1,0 +1,62 @@
+//! `ffrf generate SCENE` in Rust, as a user runs it: bodies, mechanism and accelerations in one file that compiles.
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::workbench::Run;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+/// Runs `ffrf generate` in a folder of the repository, from where the calls that it prints are to stand.
+fn generate(folder: &str, words: &str) -> Run {
+    let output = Command::new(env!("CARGO_BIN_EXE_ffrf"))
+        .current_dir(root().join(folder))
+        .arg("generate")
+        .args(words.split_whitespace())
+        .output()
+        .unwrap();
+    Run {
+        code: output.status.code().unwrap(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// What is printed is what `tests/mechanisms/straight_line.rs` and `benches/mechanisms` compile and run.
+#[test]
+fn what_is_printed_is_what_is_compiled() {
+    let benches = "benches/mechanisms";
+    let committed = [
+        ("", "models/scenes/slider_crank.toml --fma off", "tests/golden/straight_slider_crank.rs"),
+        ("", "models/scenes/double_pendulum.toml", "tests/golden/straight_double_pendulum.rs"),
+        (benches, "scenes/slider_crank_m8.toml", "src/straight_line/slider_crank_m8.rs"),
+        (benches, "scenes/pendulum_n8.toml", "src/straight_line/pendulum_n8.rs"),
+    ];
+    for (folder, words, file) in committed {
+        let text = generate(folder, words).succeeded();
+        assert_eq!(text, generate(folder, words).succeeded(), "{words}: the same text each time");
+        let golden = root().join(folder).join(file);
+        if std::env::var_os("FFRF_UPDATE_GOLDEN").is_some() {
+            std::fs::write(&golden, &text).unwrap();
+        }
+        let committed = std::fs::read_to_string(&golden).unwrap_or_default();
+        assert!(committed == text, "stale: FFRF_UPDATE_GOLDEN=1 renews {}", golden.display());
+    }
+}
+
+#[test]
+fn what_straight_line_code_cannot_have_is_refused() {
+    let scene = "models/scenes/slider_crank.toml";
+    for (words, parts) in [
+        (format!("{scene} --scalar f32"), ["--scalar f32", "expected f64"]),
+        (format!("{scene} --strategy lanes"), ["--strategy lanes", "expected auto or straight_line"]),
+        (format!("{scene} --jacobians"), ["--jacobians", "no Jacobians"]),
+        (format!("{scene} --modes 2"), ["--modes", "`modes` of the bodies in the scene"]),
+        ("models/scenes/crane.toml".to_owned(), ["forces.", "expected a scene without it"]),
+    ] {
+        generate("", &words).failed(1, &parts);
+    }
+}

@@ -1,0 +1,92 @@
+//! The equations of a scene, run once on numbers that write down what is computed with them.
+
+use ffrf_codegen::ArrayFunction;
+use ffrf_codegen::expression::Expression;
+use ffrf_runtime::System;
+use ffrf_runtime::mechanism::{Assembly, Constrained};
+use ffrf_trace::{Tape, Traced, record};
+
+use super::StraightLineError;
+use super::arguments::Arguments;
+use crate::HostMechanism;
+use crate::scene::Scene;
+
+/// How far the state at which the equations are run is from the initial one, in the units of each number: at rest, stretched or
+/// parallel to an axis, comparisons come out as they do nowhere else. The first one at which there are accelerations is taken:
+/// bodies are not what they are where they are deformed without measure.
+const OFF: [f64; 3] = [1e-3, 1e-6, 1e-9];
+
+/// The constrained accelerations of a scene as a function of state and drives, for explicit integrators.
+///
+/// ```text
+/// fn NAME(state: &[f64; S], drives: &[[f64; 3]; D], accelerations: &mut [f64; V]) -> bool
+/// ```
+///
+/// `state`: of each body position (inertial), orientation as i, j, k, w, modal coordinates, velocity (inertial), angular
+/// velocity (body) and modal rates. `drives`: value, rate and acceleration of each joint, zeros, then of each drive.
+/// `accelerations`: of each body those of the frame origin (inertial), angular ones (body) and modal ones. `false`: a
+/// comparison came out otherwise than near the initial state, and the results are not to be used.
+///
+/// Errors: see [`StraightLineError`].
+pub fn accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, StraightLineError> {
+    check(scene)?;
+    let arguments = Arguments::of(scene);
+    let mut trace = trace(scene, &arguments, OFF[0]);
+    for off in &OFF[1..] {
+        if trace.is_err() {
+            trace = self::trace(scene, &arguments, *off);
+        }
+    }
+    let (results, tape) = trace?;
+    let documentation = [
+        "Constrained accelerations of the whole mechanism, in straight-line code.",
+        "",
+        "`state`: for each body position 3 (inertial), orientation 4 (i, j, k, w), modal coordinates, velocity 3 (inertial),",
+        "angular velocity 3 (body), modal rates. `drives`: value, rate, acceleration of each joint (zeros), then of each drive.",
+        "`accelerations`: for each body of the frame origin 3 (inertial), angular 3 (body), modal. `false`: the state is one in",
+        "which other branches of the equations hold, and the results are not to be used.",
+        "",
+    ];
+    Ok(ArrayFunction {
+        name: name.to_owned(),
+        documentation: documentation.into_iter().map(str::to_owned).chain(arguments.table.clone()).collect(),
+        inputs: vec![arguments.state, arguments.drives],
+        output: "accelerations",
+        graph: tape.graph,
+        calls: tape.calls,
+        results,
+        conditions: tape.conditions,
+    })
+}
+
+/// Runs the equations.
+fn trace(
+    scene: &Scene,
+    arguments: &Arguments,
+    off: f64,
+) -> Result<(Vec<Expression>, Tape), StraightLineError> {
+    let (results, tape) = record(|| {
+        let drives = arguments.drive_values(scene, off);
+        let mechanism: HostMechanism<Traced> = scene.mechanism.cast().with_drive_values(drives);
+        let system = Constrained(&mechanism);
+        let state = arguments.state(scene, off);
+        let rates = system.rates(Traced::number(0.0), &state, &system.no_change(&state))?;
+        Ok(Arguments::results(&rates).into_iter().map(Traced::expression).collect())
+    });
+    if !tape.missing.is_empty() {
+        return Err(StraightLineError::Functions { functions: tape.missing.join(", ") });
+    }
+    Ok((results.map_err(StraightLineError::Accelerations)?, tape))
+}
+
+/// Refuses what changes while code stays as it is.
+fn check(scene: &Scene) -> Result<(), StraightLineError> {
+    let unknown = |name: &String| Err(StraightLineError::Unknown { what: format!("forces.{name}") });
+    if let Some(name) = scene.actuator_names.first() {
+        return unknown(name);
+    }
+    match scene.mechanism.friction(0) {
+        Some(_) => Err(StraightLineError::Unknown { what: "friction that follows reactions".to_owned() }),
+        None => Ok(()),
+    }
+}

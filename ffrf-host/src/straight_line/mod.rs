@@ -1,0 +1,15 @@
+//! Constrained accelerations of a whole mechanism in straight-line code.
+//!
+//! ```text
+//! Scene ──cast──▶ HostMechanism<Traced> ──rates──▶ tape ──▶ ArrayFunction ──ffrf-codegen──▶ Rust
+//! ```
+//!
+//! The runtime's own equations are run once on numbers that write down what is computed with them, so nothing is formulated a
+//! second time. All constants of the scene are in the code; the state and the drives are its arguments.
+
+mod accelerations;
+mod arguments;
+mod error;
+
+pub use accelerations::accelerations;
+pub use error::StraightLineError;

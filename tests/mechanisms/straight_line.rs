@@ -1,0 +1,89 @@
+//! What `ffrf generate SCENE` prints, compiled as it is: `tests/golden/straight_*.rs`, which a test of ffrf-cli compares with
+//! what the command prints.
+
+/// The slider-crank of `models/scenes`, with a drive, four modes and redundant rows; every operation as the equations have it.
+mod slider_crank {
+    include!("../golden/straight_slider_crank.rs");
+}
+
+/// The double pendulum of `models/scenes`: a tree, with products contracted where the target has that.
+mod double_pendulum {
+    include!("../golden/straight_double_pendulum.rs");
+}
+
+use double_pendulum::DoublePendulum;
+use ffrf::mechanism::Mechanism;
+use ffrf::nalgebra::{UnitQuaternion, Vector3};
+use slider_crank::{Rod, SliderCrank};
+
+/// Rounded in another order, relative to the accelerations: stiffness and reactions are some thousand times those.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Radius of the crank, as in `models/scenes/slider_crank.toml`. Units: m.
+const RADIUS: f64 = 0.04;
+/// What the rod is stretched and bent by, at most. Units: m.
+const ELASTIC: f64 = 2e-5;
+
+fn turning() -> Mechanism<SliderCrank> {
+    let model = SliderCrank::new(Rod);
+    let mut state = model.at_rest();
+    let length = Rod::SMALL_END.position.x - Rod::BIG_END.position.x;
+    state.rod.position = Vector3::new(RADIUS - Rod::BIG_END.position.x, 0.0, 0.0);
+    state.piston.position = Vector3::new(RADIUS + length, 0.0, 0.0);
+    let mut mechanism = model.in_motion(state);
+    mechanism.assemble().unwrap();
+    mechanism
+}
+
+#[test]
+fn a_slider_crank_turns_by_straight_line_code() {
+    let mut mechanism = turning();
+    let length = Rod::SMALL_END.position.x - Rod::BIG_END.position.x;
+    for step in 0..2000 {
+        mechanism.step_rk4(2e-6).unwrap();
+        if step % 50 == 49 {
+            // some: the code held here, and was used
+            let difference = mechanism.straight_difference().unwrap();
+            assert!(difference < ROUND_OFF, "{difference:e} after {step} steps");
+        }
+    }
+    let angle = 100.0 * mechanism.time;
+    let rigid = RADIUS * angle.cos() + (length * length - (RADIUS * angle.sin()).powi(2)).sqrt();
+    let found = mechanism.model.stroke(&mechanism.state).x;
+    assert!((found - rigid).abs() < ELASTIC, "{found} {rigid}");
+}
+
+#[test]
+fn where_straight_line_code_does_not_hold_the_equations_say_why() {
+    let mut mechanism = turning();
+    mechanism.state.rod.modal_coordinates[0] = f64::NAN;
+    assert_eq!(mechanism.straight_difference(), None);
+    mechanism.step_rk4(2e-6).unwrap_err();
+}
+
+#[test]
+fn a_double_pendulum_keeps_its_energy_by_straight_line_code() {
+    let model = DoublePendulum::new();
+    let mut state = model.at_rest();
+    let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.7);
+    state.upper.orientation = turned;
+    state.lower.orientation = turned;
+    state.lower.position = turned * Vector3::new(1.0, 0.0, 0.0);
+    let mut mechanism = model.in_motion(state);
+    mechanism.assemble().unwrap();
+    let before = mechanism.energy();
+    let total = |mechanism: &Mechanism<DoublePendulum>| {
+        let energy = mechanism.energy();
+        energy.kinetic + energy.elastic + energy.potential
+    };
+    let start = total(&mechanism);
+    for _ in 0..1000 {
+        mechanism.step_rk4(1e-3).unwrap();
+        let difference = mechanism.straight_difference().unwrap();
+        assert!(difference < ROUND_OFF, "{difference:e}");
+    }
+    let kinetic = mechanism.energy().kinetic;
+    assert!(kinetic > 1e-2, "it moves: {kinetic} J, {before:?} before");
+    // of order four: (h ω)^4 ω T of some joules
+    assert!((total(&mechanism) - start).abs() < 1e-6, "{} {start}", total(&mechanism));
+}
