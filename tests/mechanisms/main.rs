@@ -16,6 +16,7 @@ mod scene;
 mod slider_crank;
 mod stack;
 mod stiff_supports;
+mod straight;
 mod treatments;
 mod trees;
 mod user_forces;
