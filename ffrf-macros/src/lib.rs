@@ -107,6 +107,7 @@ pub fn flexible_body(input: TokenStream) -> TokenStream {
 ///         drives: { motor: angle(main, polynomial: [0.0, 100.0]) },
 ///         forces: { friction: torsion_spring(big_end, stiffness: 0.0, damping: 1e-4) },
 ///         sensors: { stroke: position(piston), bearing: reaction_force(main) },
+///         accelerations: slider_crank::accelerations, // optional: a function that was printed for this mechanism
 ///         scalar: f64,                           // optional: f64 (default), f32 or generic
 ///     }
 /// }
@@ -115,6 +116,10 @@ pub fn flexible_body(input: TokenStream) -> TokenStream {
 /// The result is the model `SliderCrank`, which implements `ffrf::mechanism::Assembly`, and its `SliderCrankState` with a
 /// field for each body; `model.in_motion(state)` takes steps, sensors are methods of the model. Every mistake is an error
 /// at its place. All kinds and options: `docs/mechanisms.md`.
+///
+/// The function of `accelerations` holds the numbers of the whole mechanism, and explicit steps take its result in place of
+/// solving the equations of all joints. It does not follow a model whose bodies, gravity, forces or triads (`met_in`) are
+/// not those that it was printed for: `mechanism.straight_difference()` tells.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     mechanism::mechanism(input.into()).into()

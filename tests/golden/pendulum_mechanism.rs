@@ -280,6 +280,38 @@ const _: () = {
             }
             rates
         }
+        fn straight_rates(
+            &self,
+            time: f64,
+            state: &Self::State,
+            increment: &Self::Increment,
+        ) -> ::core::option::Option<Self::Increment> {
+            const SIZE: usize = PendulumState::SIZE;
+            const ACCELERATIONS: usize = (SIZE - 1usize) / 2;
+            const FUNCTION: fn(&[f64; SIZE], &[[f64; 3]; 1usize], &mut [f64; ACCELERATIONS]) -> bool =
+                printed::accelerations;
+            if let ::ffrf::mechanism::Treatment::Baumgarte { .. } = self.treatment {
+                return ::core::option::Option::None;
+            }
+            let mut numbers: [f64; SIZE] = [0.0; SIZE];
+            let mut places = numbers.iter_mut();
+            for state in ::core::slice::from_ref(&state.beam) {
+                support::put_state(state, &mut places);
+            }
+            let mut drives: [[f64; 3]; 1usize] = [[0.0; 3]; 1usize];
+            let mut accelerations: [f64; ACCELERATIONS] = [0.0; ACCELERATIONS];
+            if !FUNCTION(&numbers, &drives, &mut accelerations) {
+                return ::core::option::Option::None;
+            }
+            let mut accelerations = accelerations.iter().copied();
+            let mut rates = *increment;
+            for (own, state) in
+                ::core::slice::from_mut(&mut rates.beam).iter_mut().zip(::core::slice::from_ref(&state.beam))
+            {
+                *own = support::rate_with(own, state, &mut accelerations);
+            }
+            ::core::option::Option::Some(rates)
+        }
         fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
             for port in ::core::slice::from_mut(&mut ports.beam) {
                 port.correct(level);

@@ -1,6 +1,7 @@
 //! Mechanisms that `mechanism!` composes, at work.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
+mod accelerations;
 mod arrays;
 mod bodies;
 mod chain;

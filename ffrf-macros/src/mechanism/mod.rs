@@ -1,5 +1,6 @@
 //! `mechanism!`: bodies, joints, drives, forces and sensors composed into one type of static size.
 
+mod accelerations;
 mod axis;
 mod bodies;
 mod call;

@@ -3,8 +3,9 @@
 use ffrf_codegen::mechanism::{BranchPlace, Hub, MechanismPlan, Topology, TopologyError};
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::Ident;
+use syn::{Ident, Path};
 
+use super::accelerations::{accelerations, check_known};
 use super::bodies::{Body, GROUND, bodies};
 use super::call::{Entry, entries};
 use super::controls::{Control, controls};
@@ -29,6 +30,8 @@ pub(super) struct Spec {
     pub(super) drives: Vec<Drive>,
     pub(super) forces: Vec<Force>,
     pub(super) sensors: Vec<Sensor>,
+    /// A function that was printed for this mechanism and gives its accelerations, if there is one.
+    pub(super) accelerations: Option<Path>,
     /// Number of joints, with drives.
     pub(super) connections: usize,
     /// Flexible bodies with many joints and soft links.
@@ -66,8 +69,18 @@ impl Plans {
     }
 }
 
-const KEYS: [&str; 9] =
-    ["bodies", "gravity", "joints", "constraints", "controls", "drives", "forces", "sensors", "scalar"];
+const KEYS: [&str; 10] = [
+    "bodies",
+    "gravity",
+    "joints",
+    "constraints",
+    "controls",
+    "drives",
+    "forces",
+    "sensors",
+    "accelerations",
+    "scalar",
+];
 
 /// Names of fields and methods that every mechanism has.
 const TAKEN: [&str; 9] = [
@@ -146,6 +159,10 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         .into_iter()
         .filter_map(|entry| sensor(entry, &mut bodies, &joints, &drives, &scalar, &mut mistakes))
         .collect();
+    let accelerations = find("accelerations").and_then(|field| accelerations(field, scalar, &mut mistakes));
+    if accelerations.is_some() {
+        check_known(find("constraints"), &controls, &forces, &mut mistakes);
+    }
     if mistakes.0.is_none() {
         check_held(&bodies, &joints, &mut mistakes);
     }
@@ -168,6 +185,7 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         drives,
         forces,
         sensors,
+        accelerations,
         connections,
         hubs,
         plan,

@@ -20,6 +20,7 @@ fn pendulum() -> TokenStream {
             gravity: [0.0, 0.0, -9.81],
             joints: { pin: revolute(ground, beam.ROOT, axis: y) },
             sensors: { tip: position(beam.TIP), load: reaction_force(pin) },
+            accelerations: printed::accelerations,
         }
     }
 }

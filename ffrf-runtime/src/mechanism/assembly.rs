@@ -72,6 +72,20 @@ pub trait Assembly<T: RealField + Copy> {
     ) -> Self::Ports<'a>;
     /// The rates of `increment`, which has led to the state of `ports`, from the resulting accelerations.
     fn collect(&self, ports: &Self::Ports<'_>, increment: &Self::Increment) -> Self::Increment;
+    /// What [`collect`](Self::collect) gives for `state`, to which `increment` has led, from code that holds the whole
+    /// mechanism at once; `None` if there is none or it does not hold in this state: the general equations are then solved.
+    ///
+    /// Explicit evaluations ask for it, [`System::rates`](crate::integrators::System::rates); nothing else does.
+    #[inline(always)]
+    fn straight_rates(
+        &self,
+        time: T,
+        state: &Self::State,
+        increment: &Self::Increment,
+    ) -> Option<Self::Increment> {
+        let _ = (time, state, increment);
+        None
+    }
     /// Applies the resulting motion of `ports` to their state: displacements, or changes of velocity.
     fn correct(&self, ports: &mut Self::Ports<'_>, level: Level);
     /// The state of `ports`.

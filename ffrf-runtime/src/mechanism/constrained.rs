@@ -229,6 +229,9 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
         increment: &Self::Increment,
     ) -> Result<Self::Increment, StepError> {
         let state = self.0.retract(origin, increment);
+        if let Some(rates) = self.0.straight_rates(time, &state, increment) {
+            return Ok(rates);
+        }
         self.evaluate(time, state, None, |ports, _| self.0.collect(ports, increment))
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
 use super::{AttachedRows, Attachment, Connection, KeptModes, along_axis};
-use crate::body::FlexibleBody;
+use crate::body::{FlexibleBody, Increment, ModalVector, State};
 use crate::joints::{Fixed, JointKind};
 
 /// Three numbers as a vector.
@@ -84,4 +84,44 @@ pub fn absent<P: Copy, const N: usize>() -> [Option<P>; N] {
 pub fn first<const N: usize, B>(bodies: &[B; N]) -> &B {
     const { assert!(N > 0) };
     &bodies[0]
+}
+
+/// Puts the numbers of a state into the next places, those of the orientation as they are stored: i, j, k, w.
+/// Shape: 13 + 2 M.
+#[inline]
+pub fn put_state<'a, V: ModalVector<T>, T: RealField + Copy>(
+    state: &State<V, T>,
+    places: &mut impl Iterator<Item = &'a mut T>,
+) {
+    let mut put = |numbers: &[T]| {
+        for (number, place) in numbers.iter().zip(&mut *places) {
+            *place = *number;
+        }
+    };
+    put(state.position.as_slice());
+    put(state.orientation.coords.as_slice());
+    put(state.modal_coordinates.as_slice());
+    put(state.velocity.as_slice());
+    put(state.angular_velocity.as_slice());
+    put(state.modal_rates.as_slice());
+}
+
+/// The rate of an increment that has led to `state`, which has the next of these accelerations: of the frame origin
+/// (inertial), angular (body), modal. Shape: 6 + M.
+#[inline]
+pub fn rate_with<V: ModalVector<T>, T: RealField + Copy>(
+    increment: &Increment<V, T>,
+    state: &State<V, T>,
+    accelerations: &mut impl Iterator<Item = T>,
+) -> Increment<V, T> {
+    let mut rate = increment.place_rate(state);
+    let mut take = |places: &mut [T]| {
+        for (place, acceleration) in places.iter_mut().zip(&mut *accelerations) {
+            *place = acceleration;
+        }
+    };
+    take(rate.velocity.as_mut_slice());
+    take(rate.angular_velocity.as_mut_slice());
+    take(rate.modal_rates.as_mut_slice());
+    rate
 }

@@ -5,7 +5,9 @@ use core::fmt;
 use nalgebra::RealField;
 
 use super::{Assembly, Constrained, Energy, Momentum};
-use crate::integrators::{Drift, StepError, StepReport, step_linearly_implicit, step_rk4};
+use crate::integrators::{
+    Drift, StepError, StepReport, Tolerances, VectorSpace, step_linearly_implicit, step_rk4,
+};
 
 /// A mechanism with its state and its time; what [`FreeBody`](crate::FreeBody) is to one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,6 +51,27 @@ impl<A: Assembly<T>, T: RealField + Copy> Mechanism<A, T> {
     /// Momentum as it is now.
     pub fn momentum(&self) -> Momentum<T> {
         self.model.momentum(&self.state)
+    }
+
+    /// How far accelerations by [`Assembly::straight_rates`] are from those of the general equations now: the norm of the
+    /// difference over the larger of both norms, over all bodies. Shape: 1. Units: 1.
+    ///
+    /// Round-off in a state that moves, if the code was made for this mechanism; at rest round-off is compared with itself.
+    /// `None` if one of both has no accelerations here.
+    pub fn straight_difference(&self) -> Option<T> {
+        let Self { model, state, time } = self;
+        let none = model.no_change(state);
+        let straight = model.straight_rates(*time, state, &none)?;
+        let general =
+            Constrained(model).evaluate(*time, state.clone(), None, |ports, _| model.collect(ports, &none));
+        let (straight, general) = (model.velocities_only(&straight), model.velocities_only(&general.ok()?));
+        let mut difference = straight.clone();
+        difference.add_scaled(-T::one(), &general);
+        let ones = Tolerances { absolute: T::one(), relative: T::zero() };
+        let [difference, straight, general] =
+            [difference, straight, general].map(|change| model.weighted_error(state, &change, &ones));
+        let larger = straight.max(general);
+        Some(if larger > T::zero() { difference / larger } else { larger })
     }
 
     /// Advances by one step of any method for systems, for example

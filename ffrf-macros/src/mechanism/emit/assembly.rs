@@ -6,6 +6,7 @@ use quote::{ToTokens, quote};
 use super::branches::{Branches, branches};
 use super::forces::{forces, friction_count};
 use super::plan::{Layout, hubs, layout};
+use super::straight::straight_rates;
 use super::{Names, hubs_of, markers_of, slice, slice_mut};
 use crate::mechanism::bodies::Body;
 use crate::mechanism::scalar::Scalar;
@@ -147,6 +148,7 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         }
     });
     let zero = quote! { ::ffrf::generated_support::constant::<#t>(0.0) };
+    let straight = straight_rates(names, spec);
     quote! {
         #[allow(
             clippy::all,
@@ -184,6 +186,8 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                     #collect
                     rates
                 }
+
+                #straight
 
                 fn correct(&self, ports: &mut Self::Ports<'_>, level: ::ffrf::mechanism::Level) {
                     #correct

@@ -7,6 +7,7 @@ mod model;
 mod plan;
 mod sensors;
 mod states;
+mod straight;
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
