@@ -36,7 +36,7 @@ ffrf::mechanism! {
 /// Constrained accelerations of the whole mechanism, in straight-line code.
 ///
 /// `state`: for each body position 3 (inertial), orientation 4 (i, j, k, w), modal coordinates, velocity 3 (inertial),
-/// angular velocity 3 (body), modal rates. `drives`: value, rate, acceleration of each joint (zeros), then of each drive.
+/// angular velocity 3 (body), modal rates. `drives`: for each joint zeros, and behind it value, rate, acceleration of its drive.
 /// `accelerations`: for each body of the frame origin 3 (inertial), angular 3 (body), modal. `false`: the state is one in
 /// which other branches of the equations hold, and the results are not to be used.
 ///
@@ -65,9 +65,9 @@ pub fn slider_crank_accelerations(
         state28, state29, state30, state31, state32, state33, _, _, _, state37, state38, state39,
         state40, _, _, _, state44, state45, state46,
     ] = *state;
-    let [[_, _, _], [_, _, _], [_, _, _], [_, _, _], [drive12, drive13, drive14]] = *drives;
-    let function0 = ::ffrf::nalgebra::ComplexField::sin(drive12);
-    let function1 = ::ffrf::nalgebra::ComplexField::cos(drive12);
+    let [[_, _, _], [drive3, drive4, drive5], [_, _, _], [_, _, _], [_, _, _]] = *drives;
+    let function0 = ::ffrf::nalgebra::ComplexField::sin(drive3);
+    let function1 = ::ffrf::nalgebra::ComplexField::cos(drive3);
     let t1 = 0.5 * state20;
     let t2 = -4.773863119111566e-15 + 1.9079970881919306 * state20 - 2.527282818909386e-12 * state21;
     let t3 = t2 - 1.655381326789708e-12 * state22 + 0.01258170856834555 * state23;
@@ -1167,8 +1167,8 @@ pub fn slider_crank_accelerations(
     let t1097 = 0.005 * t1084 + (state11 * t1094 - state10 * t1091);
     let t1098 = t1096 - t1097;
     let t1099 = -2.0 * t1088 + t1093 * t473 - t470 * t1095 + t467 * t1098;
-    let t1100 = drive13 * function0;
-    let t1101 = drive13 * function1;
+    let t1100 = drive4 * function0;
+    let t1101 = drive4 * function1;
     let t1102 = state10 * t159 + state11 * t168 + state12 * t145;
     let t1103 = t154 * t1102;
     let t1104 = state10 * t154 + state11 * t169 + state12 * t158;
@@ -1178,7 +1178,7 @@ pub fn slider_crank_accelerations(
     let t1108 = t154 * t1100 - t151 * t1101 - ((t1103 - t1105) * function0 + t1107 * function1);
     let t1109 = t151 * t1104 - t154 * t1106;
     let t1110 = t1104 * (t1109 * function1 - t159 * t1100) + t1106 * (t159 * t1101 + t1109 * function0);
-    let t1111 = drive14 * t155 - (t1108 * (drive13 - t1102) - t1110) + t1093 * t175;
+    let t1111 = drive5 * t155 - (t1108 * (drive4 - t1102) - t1110) + t1093 * t175;
     let t1112 = t1111 - t172 * t1095 + t166 * t1098;
     let t1113 = t477 * t1112;
     let t1114 = t1099 - t1113;

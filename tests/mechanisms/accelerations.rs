@@ -109,7 +109,7 @@ mechanism! {
             motors: for i in 0..1 { angle(hinges[i], polynomial: [0.5, 0.25]) },
             motor: angle(pin, polynomial: [7.0, 8.0, 9.0]),
         },
-        accelerations: crate::straight::rods,
+        accelerations: crate::accelerations::rods,
     }
 }
 

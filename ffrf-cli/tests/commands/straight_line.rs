@@ -55,7 +55,8 @@ fn what_straight_line_code_cannot_have_is_refused() {
         (format!("{scene} --strategy lanes"), ["--strategy lanes", "expected auto or straight_line"]),
         (format!("{scene} --jacobians"), ["--jacobians", "no Jacobians"]),
         (format!("{scene} --modes 2"), ["--modes", "`modes` of the bodies in the scene"]),
-        ("models/scenes/crane.toml".to_owned(), ["forces.", "expected a scene without it"]),
+        ("models/scenes/flexible_rotor.toml".to_owned(), ["forces.motor", "expected a scene without it"]),
+        ("models/scenes/crane.toml".to_owned(), ["atan2", "a scene without torsion springs"]),
     ] {
         generate("", &words).failed(1, &parts);
     }

@@ -23,7 +23,7 @@ const OFF: [f64; 3] = [1e-3, 1e-6, 1e-9];
 /// ```
 ///
 /// `state`: of each body position (inertial), orientation as i, j, k, w, modal coordinates, velocity (inertial), angular
-/// velocity (body) and modal rates. `drives`: value, rate and acceleration of each joint, zeros, then of each drive.
+/// velocity (body) and modal rates. `drives`: value, rate and acceleration for each joint, zeros, and behind it for its drive.
 /// `accelerations`: of each body those of the frame origin (inertial), angular ones (body) and modal ones. `false`: a
 /// comparison came out otherwise than near the initial state, and the results are not to be used.
 ///
@@ -42,7 +42,7 @@ pub fn accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, Straigh
         "Constrained accelerations of the whole mechanism, in straight-line code.",
         "",
         "`state`: for each body position 3 (inertial), orientation 4 (i, j, k, w), modal coordinates, velocity 3 (inertial),",
-        "angular velocity 3 (body), modal rates. `drives`: value, rate, acceleration of each joint (zeros), then of each drive.",
+        "angular velocity 3 (body), modal rates. `drives`: for each joint zeros, and behind it value, rate, acceleration of its drive.",
         "`accelerations`: for each body of the frame origin 3 (inertial), angular 3 (body), modal. `false`: the state is one in",
         "which other branches of the equations hold, and the results are not to be used.",
         "",

@@ -23,8 +23,6 @@ impl Scatter {
 pub(super) struct Arguments {
     pub(super) state: ArrayInput,
     pub(super) drives: ArrayInput,
-    /// Where the drive of each connection stands: joints before drives, as in compiled mechanisms.
-    pub(super) places: Vec<usize>,
     /// What is where, a line for each body.
     pub(super) table: Vec<String>,
     /// Modes of each body.
@@ -35,13 +33,6 @@ impl Arguments {
     pub(super) fn of(scene: &Scene) -> Self {
         let modes: Vec<usize> = scene.initial.iter().map(|state| state.modal_coordinates.0.len()).collect();
         let drives = scene.mechanism.drives();
-        let joints = drives.iter().filter(|drive| drive.is_none()).count();
-        let (mut joint, mut driven) = (0, joints);
-        let places = drives.iter().map(|drive| {
-            let counter = if drive.is_none() { &mut joint } else { &mut driven };
-            *counter += 1;
-            *counter - 1
-        });
         let (mut first, mut result) = (0, 0);
         let table = scene.body_names.iter().zip(&modes).map(|(name, modes)| {
             let line = format!(
@@ -53,7 +44,6 @@ impl Arguments {
             line
         });
         Self {
-            places: places.collect(),
             table: table.collect(),
             state: ArrayInput {
                 name: "state",
@@ -114,14 +104,17 @@ impl Arguments {
 
     /// Value, rate and acceleration of the drive of each connection as inputs; zeros for those without one.
     pub(super) fn drive_values(&self, scene: &Scene, off: f64) -> Vec<[Traced; 3]> {
-        let drives = scene.mechanism.drives().iter().zip(&self.places);
+        let drives = scene.mechanism.drives().iter().enumerate();
         drives
-            .map(|(drive, place)| match drive {
+            .map(|(connection, drive)| match drive {
                 None => [Traced::number(0.0); 3],
                 Some(drive) => {
                     let values = drive.at(0.0);
                     [0, 1, 2].map(|k| {
-                        Traced::input(self.drives.symbol(3 * place + k), values[k] + off * (k as f64 + 1.0))
+                        Traced::input(
+                            self.drives.symbol(3 * connection + k),
+                            values[k] + off * (k as f64 + 1.0),
+                        )
                     })
                 }
             })

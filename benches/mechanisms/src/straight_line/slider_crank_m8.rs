@@ -28,7 +28,7 @@ ffrf::mechanism! {
 /// Constrained accelerations of the whole mechanism, in straight-line code.
 ///
 /// `state`: for each body position 3 (inertial), orientation 4 (i, j, k, w), modal coordinates, velocity 3 (inertial),
-/// angular velocity 3 (body), modal rates. `drives`: value, rate, acceleration of each joint (zeros), then of each drive.
+/// angular velocity 3 (body), modal rates. `drives`: for each joint zeros, and behind it value, rate, acceleration of its drive.
 /// `accelerations`: for each body of the frame origin 3 (inertial), angular 3 (body), modal. `false`: the state is one in
 /// which other branches of the equations hold, and the results are not to be used.
 ///
