@@ -59,8 +59,13 @@ impl Pendulum {
     #[must_use]
     pub fn met_in(self, state: &PendulumState) -> Self {
         let connections = {
-            let ports =
-                ::ffrf::mechanism::Assembly::<f64>::ports(&self, *state, ::core::option::Option::None);
+            let mut rooms = ::ffrf::mechanism::Assembly::<f64>::rooms(&self);
+            let ports = ::ffrf::mechanism::Assembly::<f64>::ports(
+                &self,
+                &mut rooms,
+                *state,
+                ::core::option::Option::None,
+            );
             self.connections.map(|connection| connection.met_in(&ports))
         };
         Self { connections, ..self }
@@ -115,8 +120,11 @@ pub struct PendulumPorts<'a> {
     pub beam: ::ffrf::mechanism::BodyPort<
         'a,
         Beam,
-        [::ffrf::mechanism::AttachedRows<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>; 1usize],
+        [::core::option::Option<
+            ::ffrf::mechanism::AttachedRows<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>,
+        >; 1usize],
         f64,
+        (),
     >,
 }
 #[allow(clippy::all, clippy::pedantic)]
@@ -138,7 +146,9 @@ impl ::ffrf::VectorSpace<f64> for PendulumIncrement {
 impl Pendulum {
     #[doc = "Position. Shape: 3. Units: m. Frame: inertial."]
     pub fn tip(&self, state: &PendulumState) -> ::ffrf::nalgebra::Vector3<f64> {
-        let ports = ::ffrf::mechanism::Assembly::<f64>::ports(self, *state, ::core::option::Option::None);
+        let mut rooms = ::ffrf::mechanism::Assembly::<f64>::rooms(self);
+        let ports =
+            ::ffrf::mechanism::Assembly::<f64>::ports(self, &mut rooms, *state, ::core::option::Option::None);
         ::ffrf::mechanism::Attachment::<f64>::on_body(
             0usize,
             1usize,
@@ -252,8 +262,24 @@ const _: () = {
             = PendulumPorts<'a>
         where
             Self: 'a;
+        type Rooms = (
+            ::core::option::Option<
+                ::ffrf::mechanism::Room<
+                    <Beam as ::ffrf::FlexibleBody<f64>>::Modal,
+                    [::core::option::Option<
+                        ::ffrf::mechanism::AttachedRows<<Beam as ::ffrf::FlexibleBody<f64>>::Modal, f64>,
+                    >; 1usize],
+                    f64,
+                    (),
+                >,
+            >,
+        );
+        fn rooms(&self) -> Self::Rooms {
+            (::core::option::Option::None,)
+        }
         fn ports<'a>(
             &'a self,
+            rooms: &'a mut Self::Rooms,
             state: Self::State,
             implicit: ::core::option::Option<::ffrf::mechanism::ImplicitTerms<'a, Self::Increment, f64>>,
         ) -> Self::Ports<'a> {
@@ -262,12 +288,13 @@ const _: () = {
                     &self.beam,
                     &self.markers_of_beam,
                     state.beam,
-                    support::empty_rows(&self.beam),
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.beam),
                         chart: terms.chart.map(|all| &all.beam),
                     }),
+                    (support::absent(), ()),
+                    &mut rooms.0,
                 ),
             }
         }

@@ -229,7 +229,13 @@ impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[must_use]
     pub fn met_in(self, state: &SliderCrankState<T>) -> Self {
         let connections = {
-            let ports = ::ffrf::mechanism::Assembly::<T>::ports(&self, *state, ::core::option::Option::None);
+            let mut rooms = ::ffrf::mechanism::Assembly::<T>::rooms(&self);
+            let ports = ::ffrf::mechanism::Assembly::<T>::ports(
+                &self,
+                &mut rooms,
+                *state,
+                ::core::option::Option::None,
+            );
             self.connections.map(|connection| connection.met_in(&ports))
         };
         Self { connections, ..self }
@@ -326,30 +332,39 @@ pub struct SliderCrankPorts<'a, T: ::ffrf::generated_support::Number = f64> {
     pub crank: ::ffrf::mechanism::BodyPort<
         'a,
         ::ffrf::RigidBody<T>,
-        [::ffrf::mechanism::AttachedRows<<::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal, T>;
-            4usize],
+        [::core::option::Option<
+            ::ffrf::mechanism::AttachedRows<<::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal, T>,
+        >; 4usize],
         T,
+        (),
     >,
     #[doc = "Body `rod`."]
     pub rod: ::ffrf::mechanism::BodyPort<
         'a,
         Rod,
-        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 3usize],
+        [::core::option::Option<::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>>;
+            3usize],
         T,
+        (),
     >,
     #[doc = "Body `piston`."]
     pub piston: ::ffrf::mechanism::BodyPort<
         'a,
         Piston,
-        [::ffrf::mechanism::AttachedRows<<Piston as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
+        [::core::option::Option<
+            ::ffrf::mechanism::AttachedRows<<Piston as ::ffrf::FlexibleBody<T>>::Modal, T>,
+        >; 2usize],
         T,
+        (),
     >,
     #[doc = "Body `links`."]
     pub links: [::ffrf::mechanism::BodyPort<
         'a,
         Rod,
-        [::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>; 2usize],
+        [::core::option::Option<::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>>;
+            2usize],
         T,
+        (),
     >; 3usize],
 }
 #[allow(clippy::all, clippy::pedantic)]
@@ -393,7 +408,9 @@ impl<T: ::ffrf::generated_support::Number> ::ffrf::VectorSpace<T> for SliderCran
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {
     #[doc = r" Angle of the joint about its axis, within half a turn. Units: rad."]
     pub fn turn(&self, state: &SliderCrankState<T>) -> T {
-        let ports = ::ffrf::mechanism::Assembly::<T>::ports(self, *state, ::core::option::Option::None);
+        let mut rooms = ::ffrf::mechanism::Assembly::<T>::rooms(self);
+        let ports =
+            ::ffrf::mechanism::Assembly::<T>::ports(self, &mut rooms, *state, ::core::option::Option::None);
         ::ffrf::forces::relative_angle(
             &self.connections[0usize].first.motion(&ports),
             &self.connections[0usize].second.motion(&ports),
@@ -1137,8 +1154,62 @@ const _: () = {
             = SliderCrankPorts<'a, T>
         where
             Self: 'a;
+        type Rooms = (
+            ::core::option::Option<
+                ::ffrf::mechanism::Room<
+                    <::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal,
+                    [::core::option::Option<
+                        ::ffrf::mechanism::AttachedRows<
+                            <::ffrf::RigidBody<T> as ::ffrf::FlexibleBody<T>>::Modal,
+                            T,
+                        >,
+                    >; 4usize],
+                    T,
+                    (),
+                >,
+            >,
+            ::core::option::Option<
+                ::ffrf::mechanism::Room<
+                    <Rod as ::ffrf::FlexibleBody<T>>::Modal,
+                    [::core::option::Option<
+                        ::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>,
+                    >; 3usize],
+                    T,
+                    (),
+                >,
+            >,
+            ::core::option::Option<
+                ::ffrf::mechanism::Room<
+                    <Piston as ::ffrf::FlexibleBody<T>>::Modal,
+                    [::core::option::Option<
+                        ::ffrf::mechanism::AttachedRows<<Piston as ::ffrf::FlexibleBody<T>>::Modal, T>,
+                    >; 2usize],
+                    T,
+                    (),
+                >,
+            >,
+            [::core::option::Option<
+                ::ffrf::mechanism::Room<
+                    <Rod as ::ffrf::FlexibleBody<T>>::Modal,
+                    [::core::option::Option<
+                        ::ffrf::mechanism::AttachedRows<<Rod as ::ffrf::FlexibleBody<T>>::Modal, T>,
+                    >; 2usize],
+                    T,
+                    (),
+                >,
+            >; 3usize],
+        );
+        fn rooms(&self) -> Self::Rooms {
+            (
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                support::absent(),
+            )
+        }
         fn ports<'a>(
             &'a self,
+            rooms: &'a mut Self::Rooms,
             state: Self::State,
             implicit: ::core::option::Option<::ffrf::mechanism::ImplicitTerms<'a, Self::Increment, T>>,
         ) -> Self::Ports<'a> {
@@ -1147,34 +1218,37 @@ const _: () = {
                     &self.crank,
                     &self.markers_of_crank,
                     state.crank,
-                    support::empty_rows(&self.crank),
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.crank),
                         chart: terms.chart.map(|all| &all.crank),
                     }),
+                    (support::absent(), ()),
+                    &mut rooms.0,
                 ),
                 rod: ::ffrf::mechanism::BodyPort::new(
                     &self.rod,
                     &self.markers_of_rod,
                     state.rod,
-                    support::empty_rows(&self.rod),
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.rod),
                         chart: terms.chart.map(|all| &all.rod),
                     }),
+                    (support::absent(), ()),
+                    &mut rooms.1,
                 ),
                 piston: ::ffrf::mechanism::BodyPort::new(
                     &self.piston,
                     &self.markers_of_piston,
                     state.piston,
-                    support::empty_rows(&self.piston),
                     implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                         gamma_h: terms.gamma_h,
                         subtracted: terms.subtracted.map(|all| &all.piston),
                         chart: terms.chart.map(|all| &all.piston),
                     }),
+                    (support::absent(), ()),
+                    &mut rooms.2,
                 ),
                 links: {
                     let mut states = state.links.iter();
@@ -1182,7 +1256,9 @@ const _: () = {
                     let mut changes = all.map(|all| all.links.iter());
                     let all = implicit.and_then(|terms| terms.chart);
                     let mut charts = all.map(|all| all.links.iter());
-                    self.links.each_ref().map(|body| {
+                    let mut bodies = self.links.iter();
+                    rooms.3.each_mut().map(|room| {
+                        let body = bodies.next().unwrap_or(support::first(&self.links));
                         let subtracted = changes.as_mut().and_then(::core::iter::Iterator::next);
                         let chart = charts.as_mut().and_then(::core::iter::Iterator::next);
                         let state = states.next().copied();
@@ -1190,12 +1266,13 @@ const _: () = {
                             body,
                             &self.markers_of_links,
                             state.unwrap_or_else(|| ::ffrf::State::<_, T>::at_rest(body)),
-                            support::empty_rows(body),
                             implicit.map(|terms| ::ffrf::mechanism::ImplicitTerms {
                                 gamma_h: terms.gamma_h,
                                 subtracted: subtracted,
                                 chart: chart,
                             }),
+                            (support::absent(), ()),
+                            room,
                         )
                     })
                 },
@@ -1355,7 +1432,9 @@ const _: () = {
             for (own, other) in self.links.as_slice().iter().zip(state.links.as_slice()) {
                 sum.add_body(own, other, &self.gravity);
             }
-            let ports = ::ffrf::mechanism::Assembly::ports(self, *state, ::core::option::Option::None);
+            let mut rooms = ::ffrf::mechanism::Assembly::rooms(self);
+            let ports =
+                ::ffrf::mechanism::Assembly::ports(self, &mut rooms, *state, ::core::option::Option::None);
             sum.potential += self.brake.energy(&ports);
             sum
         }

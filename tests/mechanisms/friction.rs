@@ -116,7 +116,8 @@ pub fn swinging(model: &Rubbing, spin: f64) -> RubbingState {
 
 /// How fast the bearing turns: the marker, which the modes turn as well.
 fn bearing_rate(model: &Rubbing, state: &RubbingState) -> f64 {
-    let ports = model.ports(*state, None);
+    let mut rooms = model.rooms();
+    let ports = model.ports(&mut rooms, *state, None);
     model.connections()[0].second.motion(&ports).angular_velocity.z
 }
 

@@ -136,7 +136,9 @@ fn a_tree_without_regularisation_is_solved_to_round_off() {
     let model = Tree::new([Rod; 4]);
     assert_eq!(model.regularisation, Regularisation::of_trees());
     let state = moving(&model);
-    let expected = dense(model.connections(), &state.arms, &model.ports(state, None), &model.gravity);
+    let mut rooms = model.rooms();
+    let ports = model.ports(&mut rooms, state, None);
+    let expected = dense(model.connections(), &state.arms, &ports, &model.gravity);
     let found = |model: &Tree| {
         let rates = Constrained(model);
         let rates = ffrf::System::rates(&rates, 0.0, &state, &model.no_change(&state)).unwrap();
@@ -160,7 +162,9 @@ fn a_hub_that_keeps_its_modes_is_solved_to_round_off() {
     let mut hub = model.in_motion(state);
     hub.assemble().unwrap();
     let state = hub.state;
-    let expected = dense(model.connections(), &state.arms, &model.ports(state, None), &model.gravity);
+    let mut rooms = model.rooms();
+    let ports = model.ports(&mut rooms, state, None);
+    let expected = dense(model.connections(), &state.arms, &ports, &model.gravity);
     for regularisation in [Regularisation::of_trees(), Regularisation::of_loops()] {
         let model = Hub { regularisation, ..model };
         let rates = ffrf::System::rates(&Constrained(&model), 0.0, &state, &model.no_change(&state)).unwrap();

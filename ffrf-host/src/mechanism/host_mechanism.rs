@@ -2,8 +2,8 @@
 
 use ffrf_codegen::mechanism::{JointTopology, Topology, TopologyError};
 use ffrf_runtime::mechanism::{
-    Assembly, AttachedRows, BodyPort, Connection, Energy, Equations, ImplicitTerms, JointFriction, KeptModes,
-    Level, Momentum, Plan, Port, Regularisation, SoftLink, Storage, Treatment,
+    Assembly, BodyPort, Connection, Energy, Equations, ImplicitTerms, JointFriction, KeptModes, Level,
+    Momentum, Plan, Port, Regularisation, SoftLink, Storage, Treatment,
 };
 use ffrf_runtime::{
     FlexibleBody, Forcing, Increment, LocalError, Marker, ModalVector, Oscillators, State, Tolerances,
@@ -11,7 +11,7 @@ use ffrf_runtime::{
 use nalgebra::{RealField, Vector3, convert, try_convert};
 
 use super::plan::{OwnedPlan, keeping};
-use super::ports::HostPorts;
+use super::ports::{HostPorts, HostRoom, terms_of};
 use super::{Drive, Element, HostIncrement, ScheduledActuator};
 use crate::{HostBody, HostModal};
 
@@ -316,26 +316,27 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     where
         Self: 'a;
 
+    type Rooms = Vec<Option<HostRoom<T>>>;
+
+    fn rooms(&self) -> Self::Rooms {
+        self.bodies.iter().map(|_| None).collect()
+    }
+
     fn ports<'a>(
         &'a self,
+        rooms: &'a mut Self::Rooms,
         state: Self::State,
         implicit: Option<ImplicitTerms<'a, HostIncrement<T>, T>>,
     ) -> HostPorts<'a, T> {
-        let bodies = self.bodies.iter().zip(&self.markers).zip(state);
+        let bodies = self.bodies.iter().zip(&self.markers).zip(state).zip(rooms);
         let attached_ends = match (&self.soft, implicit) {
             (Some((plan, _)), Some(ImplicitTerms { .. })) => &plan.attached_ends,
             _ => &self.plan.attached_ends,
         };
-        let ports = bodies.enumerate().map(|(index, ((body, markers), state))| {
-            let terms = implicit.map(|ImplicitTerms { gamma_h, subtracted, chart }| ImplicitTerms {
-                gamma_h,
-                subtracted: subtracted.and_then(|all| all.0.get(index)),
-                chart: chart.and_then(|all| all.0.get(index)),
-            });
-            let zeros = body.undeformed();
-            let rows = vec![AttachedRows::empty(&zeros); attached_ends[index]];
-            let kept = self.keeping.contains(&index).then(|| KeptModes::empty(&zeros));
-            BodyPort::keeping(body, markers.as_slice(), state, rows, terms, kept)
+        let ports = bodies.enumerate().map(|(index, (((body, markers), state), room))| {
+            let terms = implicit.map(|terms| terms_of(&terms, index));
+            let kept = self.keeping.contains(&index).then(|| KeptModes::empty(&body.undeformed()));
+            BodyPort::new(body, markers, state, terms, (vec![None; attached_ends[index]], kept), room)
         });
         HostPorts(ports.collect())
     }
@@ -347,9 +348,7 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     }
 
     fn correct(&self, ports: &mut HostPorts<'_, T>, level: Level) {
-        for port in &mut ports.0 {
-            port.correct(level);
-        }
+        ports.0.iter_mut().for_each(|port| port.correct(level));
     }
 
     fn state(&self, ports: HostPorts<'_, T>) -> Self::State {
@@ -380,7 +379,8 @@ impl<T: RealField + Copy> Assembly<T> for HostMechanism<T> {
     fn energy(&self, state: &Self::State) -> Energy<T> {
         let mut sum = Energy::of(self.bodies.iter().zip(state), &self.gravity);
         if !self.elements.is_empty() {
-            let ports = self.ports(state.clone(), None);
+            let mut rooms = self.rooms();
+            let ports = self.ports(&mut rooms, state.clone(), None);
             self.elements.iter().for_each(|element| sum.potential += element.energy(&ports));
         }
         sum

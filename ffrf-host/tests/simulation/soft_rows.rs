@@ -25,7 +25,8 @@ fn ground() -> Attachment<f64> {
 /// Springs, a torsion spring, a bushing and friction, each with this stiffness and damping, on and in the pendulum; lengths
 /// without force as they are in `states`.
 fn elements(mechanism: &HostMechanism, states: &States, [stiffness, damping]: [f64; 2]) -> Vec<Element<f64>> {
-    let ports = mechanism.ports(states.clone(), None);
+    let mut rooms = mechanism.rooms();
+    let ports = mechanism.ports(&mut rooms, states.clone(), None);
     let anchor = Attachment { position: Vector3::new(0.7, -0.4, 0.9), ..ground() };
     let spring = |first: Attachment<f64>, second: Attachment<f64>| Element {
         kind: ElementKind::Spring(Spring {
@@ -138,7 +139,8 @@ fn energy(mechanism: &HostMechanism, states: &States) -> f64 {
         let free = FreeBody::new(body.clone()).with_state(state.clone());
         free.kinetic_energy() + free.elastic_energy() + free.potential_energy(&mechanism.gravity())
     });
-    let ports = mechanism.ports(states.clone(), None);
+    let mut rooms = mechanism.rooms();
+    let ports = mechanism.ports(&mut rooms, states.clone(), None);
     bodies.sum::<f64>() + mechanism.elements().iter().map(|element| element.energy(&ports)).sum::<f64>()
 }
 

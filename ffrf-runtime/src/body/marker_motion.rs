@@ -84,6 +84,26 @@ impl<T: RealField + Copy> Wrench<T> {
     }
 }
 
+/// Sets the motion of a point of a body without modes. `arm`: from the frame origin, body frame.
+// number by number: what is made elsewhere and copied in wider pieces waits for its stores
+#[inline(always)]
+pub(crate) fn move_rigidly<V, T: RealField + Copy>(
+    motion: &mut MarkerMotion<T>,
+    arm: &Vector3<T>,
+    state: &State<V, T>,
+    axes: &Matrix3<T>,
+) {
+    let omega = &state.angular_velocity;
+    let carried = omega.cross(arm);
+    motion.position = state.position + axes * arm;
+    motion.orientation = state.orientation;
+    motion.mean_axes = None;
+    motion.velocity = state.velocity + axes * carried;
+    motion.angular_velocity = axes * omega;
+    motion.acceleration_bias = axes * omega.cross(&carried);
+    motion.angular_acceleration_bias = Vector3::zeros();
+}
+
 /// A marker in a state: the lever arm and the rotation are found once for all that needs them.
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedMarker<'a, V, T: RealField + Copy> {
@@ -123,7 +143,9 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
     /// Place, velocities and acceleration biases. Source: derivatives of p + A (x + Ψ q) and of the triad.
     pub fn motion(&self, state: &State<V, T>) -> MarkerMotion<T> {
         if state.modal_rates.as_slice().is_empty() {
-            return self.rigid_motion(state);
+            let mut motion = MarkerMotion::fixed(state.position, state.orientation);
+            move_rigidly(&mut motion, &self.arm, state, &self.axes);
+            return motion;
         }
         let two: T = nalgebra::convert(2.0);
         let omega = &state.angular_velocity;
@@ -144,22 +166,6 @@ impl<'a, V: ModalVector<T>, T: RealField + Copy> PlacedMarker<'a, V, T> {
             angular_velocity: inertial(&(omega + spin)),
             acceleration_bias: inertial(&centripetal),
             angular_acceleration_bias: inertial(&gyration),
-        }
-    }
-
-    /// [`motion`](Self::motion) on a body without modes.
-    #[inline]
-    fn rigid_motion(&self, state: &State<V, T>) -> MarkerMotion<T> {
-        let omega = &state.angular_velocity;
-        let carried = omega.cross(&self.arm);
-        MarkerMotion {
-            position: state.position + self.axes * self.arm,
-            orientation: self.orientation,
-            mean_axes: None,
-            velocity: state.velocity + self.axes * carried,
-            angular_velocity: self.axes * omega,
-            acceleration_bias: self.axes * omega.cross(&carried),
-            angular_acceleration_bias: Vector3::zeros(),
         }
     }
 

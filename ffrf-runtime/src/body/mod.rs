@@ -38,6 +38,7 @@ pub use free_system::FreeSystem;
 pub use increment::Increment;
 pub use load::Load;
 pub use marker::Marker;
+pub(crate) use marker_motion::move_rigidly;
 pub use marker_motion::{MarkerMotion, PlacedMarker, Wrench};
 pub use marker_step::MarkerStep;
 pub use modal_matrix::{ModalFactors, ModalMatrix};

@@ -15,7 +15,7 @@ pub enum ModalMatrix<V: ModalVector<T>, T: RealField + Copy> {
 }
 
 /// Factors of a symmetric positive definite matrix over the modes.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub enum ModalFactors<V: ModalVector<T>, T: RealField + Copy> {
     /// The inverse of the diagonal.
     Diagonal(V),

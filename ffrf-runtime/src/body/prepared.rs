@@ -143,6 +143,15 @@ pub struct Eliminated<V: ModalVector<T>, T: RealField + Copy> {
     pub modal: ModalFactors<V, T>,
 }
 
+impl<V, T> Copy for Eliminated<V, T>
+where
+    V: ModalVector<T> + Copy,
+    V::Sixes: Copy,
+    V::Factors: Copy,
+    T: RealField + Copy,
+{
+}
+
 impl<V: ModalVector<T>, T: RealField + Copy> Eliminated<V, T> {
     /// The factors of the whole mass matrix, or `None` if it is not positive definite.
     pub fn factor(self) -> Option<Factored<V, T>> {

@@ -28,7 +28,7 @@ use super::{FlexibleBody, GeneralisedForce, ImplicitBody, Increment, ModalVector
 use crate::rotation::turned;
 
 /// A body at both ends of a step.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Span<V, T: RealField + Copy> {
     pub(crate) begin: State<V, T>,
     pub(crate) end: State<V, T>,

@@ -64,9 +64,15 @@ pub trait Assembly<T: RealField + Copy> {
     where
         Self: 'a;
 
-    /// The bodies in `state`, without forces.
+    /// Room for what the equations need of all bodies: one [`Room`](super::Room) for each, absent until there is a port.
+    type Rooms;
+
+    /// Room for the bodies of one evaluation.
+    fn rooms(&self) -> Self::Rooms;
+    /// The bodies in `state`, without forces. What was in their rooms is replaced.
     fn ports<'a>(
         &'a self,
+        rooms: &'a mut Self::Rooms,
         state: Self::State,
         implicit: Option<ImplicitTerms<'a, Self::Increment, T>>,
     ) -> Self::Ports<'a>;

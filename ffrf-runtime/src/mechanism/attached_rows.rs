@@ -9,15 +9,17 @@ use crate::body::ModalVector;
 pub struct AttachedRows<V: ModalVector<T>, T: RealField + Copy = f64> {
     /// Modal part of the gradients. Shape: M x rows.
     pub(super) modal: V::Sixes,
-    /// Θ_ff⁻¹ times that. Shape: M x rows.
-    pub(super) weighted: V::Sixes,
+    /// Θ_ff⁻¹ times that, in the equations of all bodies and joints. Shape: M x rows.
+    pub(super) weighted: Option<V::Sixes>,
     /// Number of rows.
     pub(super) count: usize,
 }
 
 impl<V: ModalVector<T>, T: RealField + Copy> AttachedRows<V, T> {
-    /// Rows without effect.
-    pub fn empty(zeros: &V) -> Self {
-        Self { modal: zeros.zero_sixes(), weighted: zeros.zero_sixes(), count: 0 }
+    /// Rows without effect, where none were.
+    #[inline(always)]
+    pub(super) fn put<'a>(place: &'a mut Option<Self>, zeros: &V) -> &'a mut Self {
+        // made where it stays
+        place.get_or_insert_with(|| Self { modal: zeros.zero_sixes(), weighted: None, count: 0 })
     }
 }

@@ -3,19 +3,19 @@
 use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 
 use super::kept_modes::copy_from;
+use super::room::attached;
 use super::solved::Solved;
-use super::{AttachedRows, ImplicitTerms, Keeping, Level, Phase, Port, RigidFrame};
+use super::{AttachedRows, ImplicitTerms, Keeping, Level, Phase, Port, RigidFrame, Room};
 use crate::body::{
     FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep, ModalVector,
-    Motion, Span, SpanMarker, State, Wrench, implicit_modal_mass, marker_motion, with_placed,
+    Motion, Span, SpanMarker, State, Wrench, implicit_modal_mass, marker_motion, move_rigidly, with_placed,
 };
 use crate::integrators::StepError;
 use crate::rotation::matrix;
 use crate::six::{Square, add_products, dot, scaled, six_times, subtract_scaled, zeros};
 
-/// One body in one state, with its forces and the rows of its joints; `R` holds as many [`AttachedRows`] as joints have ends
-/// there, `K` has room for modes that are [kept](Keeping).
-#[derive(Debug, Clone)]
+/// One body in one state, with its forces; what the equations need besides is in its [`Room`], whose parameters are `R` and `K`.
+#[derive(Debug)]
 pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy, K = ()> {
     pub(super) body: &'a B,
     pub(super) markers: &'a [Marker<B::Modal, T>],
@@ -28,55 +28,29 @@ pub struct BodyPort<'a, B: FlexibleBody<T>, R, T: RealField + Copy, K = ()> {
     /// The result: accelerations, or a correction of place or velocities.
     pub motion: Motion<B::Modal, T>,
     pub(super) implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
-    pub(super) rows: R,
-    pub(super) solved: Solved<B::Modal, T>,
-    /// What the unknowns of a body without modes are; else the accelerations of its frame are unknown.
-    frame: Option<RigidFrame<T>>,
-    /// One over the diagonal of Z in its components; zero where that is not positive.
-    yields: [T; 6],
     pub(super) net: GeneralisedForce<B::Modal, T>,
     pub(super) alone: B::Modal,
-    /// A step of the energy-momentum method, and what is shown of it.
-    span: Option<(Span<B::Modal, T>, Phase)>,
-    kept: K,
-}
-
-impl<'a, B, R, T> BodyPort<'a, B, R, T>
-where
-    B: FlexibleBody<T>,
-    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
-    T: RealField + Copy,
-{
-    /// A body in a state, without forces, whose modes are eliminated in it.
-    #[inline(always)]
-    pub fn new(
-        body: &'a B,
-        markers: &'a [Marker<B::Modal, T>],
-        state: State<B::Modal, T>,
-        rows: R,
-        implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
-    ) -> Self {
-        Self::keeping(body, markers, state, rows, implicit, ())
-    }
+    pub(super) room: &'a mut Room<B::Modal, R, T, K>,
 }
 
 impl<'a, B, R, T, K> BodyPort<'a, B, R, T, K>
 where
     B: FlexibleBody<T>,
-    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
+    R: AsRef<[Option<AttachedRows<B::Modal, T>>]> + AsMut<[Option<AttachedRows<B::Modal, T>>]>,
     T: RealField + Copy,
     K: Keeping<B::Modal, T>,
 {
-    /// A body in a state, without forces, that keeps its modes as unknowns if `kept` has room for them.
+    /// A body in a state, without forces. `rows`: places for those of the joints on it; `kept`: room for its modes if it keeps
+    /// them as unknowns; `room`: what was there is replaced.
     // inlined, so that it is made where it stays
     #[inline(always)]
-    pub fn keeping(
+    pub fn new(
         body: &'a B,
         markers: &'a [Marker<B::Modal, T>],
         state: State<B::Modal, T>,
-        rows: R,
         implicit: Option<ImplicitTerms<'a, Increment<B::Modal, T>, T>>,
-        kept: K,
+        (rows, kept): (R, K),
+        room: &'a mut Option<Room<B::Modal, R, T, K>>,
     ) -> Self {
         let zeros = body.undeformed();
         Self {
@@ -87,14 +61,9 @@ where
             force: GeneralisedForce::zeros(&zeros),
             motion: Motion::zeros(&zeros),
             implicit,
-            rows,
-            solved: Solved::Nothing,
-            frame: None,
-            yields: [T::zero(); 6],
             net: GeneralisedForce::zeros(&zeros),
             alone: zeros,
-            span: None,
-            kept,
+            room: room.insert(Room::new(rows, kept)),
         }
     }
 
@@ -103,7 +72,7 @@ where
     /// In a step of the energy-momentum method: the change of the places over the step, and the correction of velocities.
     pub fn rate(&self, increment: &Increment<B::Modal, T>) -> Increment<B::Modal, T> {
         let accelerations = self.motion.clone();
-        if let Some((span, _)) = &self.span {
+        if let Some((span, _)) = &self.room.span {
             return span.with_correction(&accelerations);
         }
         match self.implicit {
@@ -120,7 +89,7 @@ where
 
     /// Place and motion of any marker of this body, one that no joint uses among them.
     pub fn motion_of(&self, marker: &Marker<B::Modal, T>) -> MarkerMotion<T> {
-        match &self.span {
+        match &self.room.span {
             Some((span, Phase::End)) => {
                 marker_motion(self.body, marker, &span.end, &matrix(&span.end.orientation))
             }
@@ -136,7 +105,7 @@ where
     }
 
     fn force_of(&self, marker: &Marker<B::Modal, T>, wrench: &Wrench<T>) -> GeneralisedForce<B::Modal, T> {
-        match &self.span {
+        match &self.room.span {
             Some((span, _)) => SpanMarker::new(self.body, marker, span).generalised_force(wrench),
             None => with_placed(self.body, marker, &self.state, &self.axes, |placed| {
                 placed.generalised_force(wrench)
@@ -146,17 +115,18 @@ where
 
     /// Measures the factors that were made.
     fn measure(&mut self) -> Result<(), StepError> {
-        let eliminated = self.solved.eliminated().ok_or(StepError::MassNotPositive)?;
+        let eliminated = self.room.solved.eliminated().ok_or(StepError::MassNotPositive)?;
         let positive = |mass: T| if mass > T::zero() { T::one() / mass } else { T::zero() };
         if self.alone.as_slice().is_empty() {
             // the mean axes of a step of the energy-momentum method are none to resolve in
-            let axes = if self.span.is_some() { &Matrix3::identity() } else { &self.axes };
+            let axes = if self.room.span.is_some() { &Matrix3::identity() } else { &self.axes };
             let frame = RigidFrame::new(&eliminated.remaining, axes);
-            self.yields = frame.masses().map(positive);
-            self.frame = Some(frame);
+            self.room.yields = Some(frame.masses().map(positive));
+            self.room.frame = Some(frame);
         } else {
             let mass = &eliminated.remaining.data.0;
-            six_times!(K: { self.yields[K] = positive(mass[K][K]); });
+            let yields = self.room.yields.insert([T::zero(); 6]);
+            six_times!(K: { yields[K] = positive(mass[K][K]); });
         }
         Ok(())
     }
@@ -183,19 +153,22 @@ where
 impl<B, R, T, K> Port<T> for BodyPort<'_, B, R, T, K>
 where
     B: FlexibleBody<T>,
-    R: AsRef<[AttachedRows<B::Modal, T>]> + AsMut<[AttachedRows<B::Modal, T>]>,
+    R: AsRef<[Option<AttachedRows<B::Modal, T>>]> + AsMut<[Option<AttachedRows<B::Modal, T>>]>,
     T: RealField + Copy,
     K: Keeping<B::Modal, T>,
 {
-    fn marker_motion(&self, index: usize) -> MarkerMotion<T> {
+    fn marker_motion(&self, index: usize, to: &mut MarkerMotion<T>) {
         match self.markers.get(index) {
-            Some(marker) => self.motion_of(marker),
-            None => MarkerMotion::fixed(self.state.position, self.state.orientation),
+            Some(marker) if self.alone.as_slice().is_empty() && self.room.span.is_none() => {
+                move_rigidly(to, &marker.position, &self.state, &self.axes);
+            }
+            Some(marker) => *to = self.motion_of(marker),
+            None => *to = MarkerMotion::fixed(self.state.position, self.state.orientation),
         }
     }
 
     fn marker_step(&self, marker: usize) -> Option<MarkerStep<T>> {
-        let ((span, _), marker) = (self.span.as_ref()?, self.markers.get(marker)?);
+        let ((span, _), marker) = (self.room.span.as_ref()?, self.markers.get(marker)?);
         let at = SpanMarker::new(self.body, marker, span);
         Some(MarkerStep { ends: at.ends(), mean: at.motion(), step: span.step })
     }
@@ -207,7 +180,7 @@ where
     }
 
     fn weigh(&mut self, gravity: &Vector3<T>) {
-        if let Some((span, _)) = &self.span {
+        if let Some((span, _)) = &self.room.span {
             self.force.add_scaled(T::one(), &span.weight(self.body, gravity));
             return;
         }
@@ -217,7 +190,7 @@ where
     }
 
     fn conserve(&mut self, phase: Phase) {
-        match (&mut self.span, self.implicit) {
+        match (&mut self.room.span, self.implicit) {
             (Some((_, shown)), _) => *shown = phase,
             (place, Some(ImplicitTerms { gamma_h, subtracted: Some(velocities), .. })) => {
                 let span = Span::new(&self.state, velocities, gamma_h + gamma_h);
@@ -230,14 +203,14 @@ where
     }
 
     fn factor(&mut self) -> Result<(), StepError> {
-        if let Some((span, _)) = &self.span {
+        if let Some((span, _)) = &self.room.span {
             let (stage, missing) = span.stage(self.body, &self.force).ok_or(StepError::MassNotPositive)?;
             self.net = missing;
-            if let Some(kept) = self.kept.kept_mut() {
+            if let Some(kept) = self.room.kept.kept_mut() {
                 let gamma_h = span.step * nalgebra::convert(0.5);
                 kept.keep(&stage.prepared, implicit_modal_mass(self.body, gamma_h));
             }
-            self.solved = Solved::Rows(stage.eliminated);
+            self.room.solved = Solved::Rows(stage.eliminated);
             return self.measure();
         }
         let (body, state) = (self.body, &self.state);
@@ -246,17 +219,17 @@ where
                 let prepared =
                     body.prepare(&state.modal_coordinates, &state.angular_velocity, &state.modal_rates);
                 self.net = prepared.net_force(&self.force);
-                if let Some(kept) = self.kept.kept_mut() {
+                if let Some(kept) = self.room.kept.kept_mut() {
                     kept.keep(&prepared, body.modal_mass());
                 }
                 // made where it stays
-                self.solved =
+                self.room.solved =
                     Solved::of_rows(body.modal_mass().factor().map(|modal| prepared.eliminate(modal)));
             }
             Some(ImplicitTerms { gamma_h, subtracted, .. }) => {
-                self.solved = Solved::of_rows(ImplicitBody::new(body, state, gamma_h).map(|stage| {
+                self.room.solved = Solved::of_rows(ImplicitBody::new(body, state, gamma_h).map(|stage| {
                     self.net = stage.right(body, state, &self.force, subtracted);
-                    if let Some(kept) = self.kept.kept_mut() {
+                    if let Some(kept) = self.room.kept.kept_mut() {
                         kept.keep(&stage.prepared, implicit_modal_mass(body, gamma_h));
                     }
                     stage.eliminated
@@ -268,7 +241,7 @@ where
 
     #[cold]
     fn indefinite(&self) -> Option<T> {
-        let eliminated = self.solved.eliminated().cloned();
+        let eliminated = self.room.solved.eliminated().cloned();
         eliminated
             .and_then(|eliminated| eliminated.factor())
             .is_none()
@@ -276,11 +249,11 @@ where
     }
 
     fn rigid_mass(&self, to: &mut Square<T>) {
-        if let Some(kept) = self.kept.kept() {
+        if let Some(kept) = self.room.kept.kept() {
             *to = kept.rigid_mass();
             return;
         }
-        match (&self.frame, self.solved.eliminated()) {
+        match (&self.room.frame, self.room.solved.eliminated()) {
             (Some(frame), _) => six_times!(K: { to[K][K] = frame.masses()[K]; }),
             (None, Some(eliminated)) => *to = eliminated.remaining.data.0,
             (None, None) => *to = zeros(),
@@ -288,23 +261,23 @@ where
     }
 
     fn has_modes(&self) -> bool {
-        !self.alone.as_slice().is_empty() && self.kept.kept().is_none()
+        !self.alone.as_slice().is_empty() && self.room.kept.kept().is_none()
     }
 
     fn modal_mass(&self, rows: usize, columns: usize, to: &mut Square<T>) {
-        if let Some(kept) = self.kept.kept() {
+        if let Some(kept) = self.room.kept.kept() {
             kept.modal_mass(rows, columns, to);
         }
     }
 
     fn modal_coupling(&self, first: usize, to: &mut Square<T>) {
-        if let Some(kept) = self.kept.kept() {
+        if let Some(kept) = self.room.kept.kept() {
             kept.coupling(first, to);
         }
     }
 
     fn modal_rows(&self, slot: usize, first: usize, to: &mut Square<T>) {
-        if let Some(rows) = self.rows.as_ref().get(slot) {
+        if let Some(rows) = attached(&self.room.rows, slot) {
             copy_from(rows.modal.as_ref(), first, to);
         }
     }
@@ -332,46 +305,50 @@ where
         effects: &mut Square<T>,
         compliances: Option<&mut [T; 6]>,
     ) {
-        let (Some(place), Some(eliminated)) = (self.markers.get(marker), self.solved.eliminated()) else {
+        let Room { rows: places, solved, frame, yields, span, kept } = &mut *self.room;
+        let (Some(at), Some(place), Some(eliminated)) =
+            (self.markers.get(marker), places.as_mut().get_mut(slot), solved.eliminated())
+        else {
             return;
         };
-        let Some(AttachedRows { modal, weighted, count }) = self.rows.as_mut().get_mut(slot) else { return };
+        let AttachedRows { modal, weighted, count } = AttachedRows::put(place, &self.alone);
         *count = rows;
-        if let Some(frame) = &self.frame {
-            match &self.span {
-                Some((span, _)) => {
-                    *effects =
-                        SpanMarker::new(self.body, place, span).generalised_forces(gradients, modal.as_mut());
-                    frame.to_components(effects);
-                }
-                None => frame.effects(&place.position, gradients, effects),
-            }
-            if let Some(compliances) = compliances {
-                for (effect, yields) in effects.iter().zip(&self.yields) {
+        let add_compliances = |compliances: Option<&mut [T; 6]>, effects: &Square<T>| {
+            if let (Some(compliances), Some(yields)) = (compliances, yields.as_ref()) {
+                for (effect, yields) in effects.iter().zip(yields) {
                     add_products(compliances, effect, &scaled(*yields, effect));
                 }
             }
+        };
+        if let Some(frame) = frame {
+            match span {
+                Some((span, _)) => {
+                    *effects =
+                        SpanMarker::new(self.body, at, span).generalised_forces(gradients, modal.as_mut());
+                    frame.to_components(effects);
+                }
+                None => frame.effects(&at.position, gradients, effects),
+            }
+            add_compliances(compliances, effects);
             return;
         }
-        match &self.span {
+        match span {
             Some((span, _)) => {
-                *effects =
-                    SpanMarker::new(self.body, place, span).generalised_forces(gradients, modal.as_mut());
+                *effects = SpanMarker::new(self.body, at, span).generalised_forces(gradients, modal.as_mut());
             }
-            None => with_placed(self.body, place, &self.state, &self.axes, |placed| {
+            None => with_placed(self.body, at, &self.state, &self.axes, |placed| {
                 placed.generalised_forces(gradients, effects, modal.as_mut());
             }),
         }
-        if self.kept.kept().is_some() {
+        if kept.kept().is_some() {
             if let Some(compliances) = compliances {
                 // what these rows would meet if the modes were eliminated: one measure for all bodies
                 let mut met = *effects;
                 for (followed, modal) in eliminated.followed.as_ref().iter().zip(modal.as_ref()) {
                     six_times!(K: { subtract_scaled(&mut met[K], followed[K], modal); });
                 }
-                for (effect, yields) in met.iter().zip(&self.yields) {
-                    add_products(compliances, effect, &scaled(*yields, effect));
-                }
+                add_compliances(Some(&mut *compliances), &met);
+                let weighted = weighted.get_or_insert_with(|| self.alone.zero_sixes());
                 eliminated.modal.solve_sixes_to(weighted, modal);
                 for (modal, weighted) in modal.as_ref().iter().zip(weighted.as_ref()) {
                     add_products(compliances, modal, weighted);
@@ -387,23 +364,20 @@ where
             }
             effects[K] = effect;
         });
-        if let Some(compliances) = compliances {
-            for (effect, yields) in effects.iter().zip(&self.yields) {
-                add_products(compliances, effect, &scaled(*yields, effect));
-            }
-        }
+        add_compliances(compliances, effects);
+        let weighted = weighted.get_or_insert_with(|| self.alone.zero_sixes());
         eliminated.modal.solve_sixes_to(weighted, modal);
     }
 
     fn subtract_compliance(&self, slot: usize, other: usize, from: &mut Square<T>) {
-        let rows = self.rows.as_ref();
-        let (Some(rows), Some(other)) = (rows.get(slot), rows.get(other)) else { return };
-        if other.weighted.as_ref().is_empty() || self.kept.kept().is_some() {
+        let places = &self.room.rows;
+        let (Some(rows), Some(other)) = (attached(places, slot), attached(places, other)) else { return };
+        let Some(weighted) = other.weighted.as_ref().filter(|_| self.room.kept.kept().is_none()) else {
             return;
-        }
+        };
         six_times!(K: { if K < rows.count {
             let mut row = from[K];
-            for (modal, weighted) in rows.modal.as_ref().iter().zip(other.weighted.as_ref()) {
+            for (modal, weighted) in rows.modal.as_ref().iter().zip(weighted.as_ref()) {
                 subtract_scaled(&mut row, modal[K], weighted);
             }
             from[K] = row;
@@ -411,20 +385,20 @@ where
     }
 
     fn reduced_force(&mut self) -> [T; 6] {
-        if self.kept.kept().is_some() {
+        if self.room.kept.kept().is_some() {
             let (force, moment) = (&self.net.force, &self.net.moment);
             return [force.x, force.y, force.z, moment.x, moment.y, moment.z];
         }
-        let Some(eliminated) = self.solved.eliminated() else { return [T::zero(); 6] };
+        let Some(eliminated) = self.room.solved.eliminated() else { return [T::zero(); 6] };
         self.alone = eliminated.modal.solve(&self.net.modal);
         let force = eliminated.reduced_force(&self.net).into();
-        self.frame.as_ref().map_or(force, |frame| frame.force(force))
+        self.room.frame.as_ref().map_or(force, |frame| frame.force(force))
     }
 
     fn push_net(&mut self, marker: usize, wrench: &Wrench<T>) {
         let Some(force) = self.generalised_force(marker, wrench) else { return };
         // in a step of the energy-momentum method the right-hand side is an impulse
-        let share = self.span.as_ref().map_or(T::one(), |(span, _)| span.step);
+        let share = self.room.span.as_ref().map_or(T::one(), |(span, _)| span.step);
         self.net.add_scaled(share, &force);
     }
 
@@ -433,7 +407,7 @@ where
     }
 
     fn subtract_modal_accelerations(&self, slot: usize, from: &mut [T; 6]) {
-        if let Some(rows) = self.rows.as_ref().get(slot) {
+        if let Some(rows) = attached(&self.room.rows, slot) {
             for (acceleration, modal) in self.alone.as_slice().iter().zip(rows.modal.as_ref()) {
                 subtract_scaled(from, *acceleration, modal);
             }
@@ -459,20 +433,20 @@ where
     }
 
     fn finish(&mut self, rigid: &[T; 6]) {
-        if self.kept.kept().is_some() {
+        if self.room.kept.kept().is_some() {
             let [x, y, z, r_x, r_y, r_z] = *rigid;
             (self.motion.linear, self.motion.angular) = (Vector3::new(x, y, z), Vector3::new(r_x, r_y, r_z));
             return;
         }
-        if let Some(eliminated) = self.solved.eliminated() {
-            let rigid = self.frame.as_ref().map_or(*rigid, |frame| frame.motion(rigid));
+        if let Some(eliminated) = self.room.solved.eliminated() {
+            let rigid = self.room.frame.as_ref().map_or(*rigid, |frame| frame.motion(rigid));
             self.motion = eliminated.with_modes(&Vector6::from(rigid), self.alone.clone());
         }
     }
 
     fn follow(&mut self, slot: usize, negative: &[T; 6]) {
-        if let Some(rows) = self.rows.as_ref().get(slot) {
-            for (entry, weighted) in self.motion.modal.as_mut_slice().iter_mut().zip(rows.weighted.as_ref()) {
+        if let Some(weighted) = attached(&self.room.rows, slot).and_then(|rows| rows.weighted.as_ref()) {
+            for (entry, weighted) in self.motion.modal.as_mut_slice().iter_mut().zip(weighted.as_ref()) {
                 *entry -= dot(weighted, negative);
             }
         }

@@ -32,12 +32,26 @@ impl<T: RealField + Copy> Attachment<T> {
 
     /// Place and motion of the attached triad.
     pub fn motion(&self, ports: &dyn Ports<T>) -> MarkerMotion<T> {
-        let Some(port) = self.body.and_then(|body| ports.port(body)) else {
-            return MarkerMotion::fixed(self.position, self.orientation);
-        };
-        let mut motion = port.marker_motion(self.marker);
-        motion.turn(&self.orientation);
+        let mut motion = MarkerMotion::fixed(self.position, self.orientation);
+        self.move_with(ports, &mut motion);
         motion
+    }
+
+    /// Sets place and motion of the attached triad, where they stay.
+    #[inline]
+    pub(super) fn put_motion(&self, ports: &dyn Ports<T>, to: &mut MarkerMotion<T>) {
+        if !self.move_with(ports, to) {
+            *to = MarkerMotion::fixed(self.position, self.orientation);
+        }
+    }
+
+    /// Sets place and motion of a triad on a body; on the ground nothing.
+    #[inline]
+    fn move_with(&self, ports: &dyn Ports<T>, to: &mut MarkerMotion<T>) -> bool {
+        let Some(port) = self.body.and_then(|body| ports.port(body)) else { return false };
+        port.marker_motion(self.marker, to);
+        to.turn(&self.orientation);
+        true
     }
 
     /// The attached triad over a step of the energy-momentum method; `None` on the ground and outside of those.

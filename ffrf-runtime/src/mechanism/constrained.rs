@@ -82,7 +82,8 @@ impl<A> Constrained<'_, A> {
     {
         let assembly = self.0;
         let soft = implicit.filter(|terms| terms.chart.is_some()).map(|terms| terms.gamma_h);
-        let mut ports = assembly.ports(state, implicit);
+        let mut rooms = assembly.rooms();
+        let mut ports = assembly.ports(&mut rooms, state, implicit);
         assembly.load(time, &mut ports);
         let equations = equations(assembly, soft.is_some());
         assembly.with_storage(equations, |storage| {
@@ -104,14 +105,20 @@ impl<A> Constrained<'_, A> {
     }
 
     /// The bodies in a step of the energy-momentum method.
-    fn in_step<'a, T>(&'a self, begin: &A::State, velocities: &'a A::Increment, step: T) -> A::Ports<'a>
+    fn in_step<'a, T>(
+        &'a self,
+        rooms: &'a mut A::Rooms,
+        begin: &A::State,
+        velocities: &'a A::Increment,
+        step: T,
+    ) -> A::Ports<'a>
     where
         A: Assembly<T>,
         T: RealField + Copy,
     {
         let gamma_h = step * nalgebra::convert(0.5);
         let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(velocities), chart: None });
-        let mut ports = self.0.ports(begin.clone(), implicit);
+        let mut ports = self.0.ports(rooms, begin.clone(), implicit);
         for index in 0..self.0.plan().bodies.len() {
             if let Some(port) = ports.port_mut(index) {
                 port.conserve(Phase::Mean);
@@ -160,7 +167,8 @@ impl<A> Constrained<'_, A> {
             return Ok((state, Drift::none()));
         }
         let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None, chart: None });
-        let mut ports = assembly.ports(state, implicit);
+        let mut rooms = assembly.rooms();
+        let mut ports = assembly.ports(&mut rooms, state, implicit);
         let equations = equations(assembly, with_soft);
         let drift = assembly.with_storage(equations, |storage| {
             let drive = |joint| assembly.drive(joint, time);
@@ -363,7 +371,8 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
         velocities: &Self::Increment,
         step: T,
     ) -> Self::Increment {
-        let ports = self.in_step(begin, velocities, step);
+        let mut rooms = self.0.rooms();
+        let ports = self.in_step(&mut rooms, begin, velocities, step);
         self.0.collect(&ports, velocities)
     }
 
@@ -376,7 +385,8 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
     ) -> Result<Self::Increment, StepError> {
         let assembly = self.0;
         let half = step * nalgebra::convert(0.5);
-        let mut ports = self.in_step(begin, velocities, step);
+        let mut rooms = self.0.rooms();
+        let mut ports = self.in_step(&mut rooms, begin, velocities, step);
         assembly.with_storage(Equations::Rows, |storage| {
             for phase in [Phase::End, Phase::Mean] {
                 for index in 0..assembly.plan().bodies.len() {

@@ -90,9 +90,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         for (number, (connection, place)) in
             self.connections.iter().zip(self.storage.joints.iter_mut()).enumerate()
         {
-            let (first, second) = (&connection.first, &connection.second);
-            let joint = EvaluatedJoint::put(place, first.motion(self.ports), second.motion(self.ports));
-            let EvaluatedJoint { rows, ends: [first, second] } = joint;
+            let EvaluatedJoint { rows, ends: [first, second] } = EvaluatedJoint::put(place);
+            connection.first.put_motion(self.ports, first);
+            connection.second.put_motion(self.ports, second);
             connection.kind.push_rows(rows, first, second, &drive(number));
         }
     }

@@ -15,19 +15,14 @@ pub struct EvaluatedJoint<T: RealField + Copy = f64> {
 }
 
 impl<T: RealField + Copy> EvaluatedJoint<T> {
-    /// A joint with these ends in this place, before its rows are evaluated.
+    /// A joint in this place, before its ends are moved and its rows are evaluated.
     #[inline]
-    pub(super) fn put(
-        place: &mut Option<Self>,
-        first: MarkerMotion<T>,
-        second: MarkerMotion<T>,
-    ) -> &mut Self {
+    pub(super) fn put(place: &mut Option<Self>) -> &mut Self {
         // made where it stays
         let joint = place.get_or_insert_with(|| {
             let still = MarkerMotion::fixed(Vector3::zeros(), UnitQuaternion::identity());
             Self { rows: Rows::none(), ends: [still; 2] }
         });
-        [joint.ends[0], joint.ends[1]] = [first, second];
         joint.rows.restart();
         joint
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
 
-use super::{AttachedRows, Attachment, Connection, KeptModes, along_axis};
+use super::{Attachment, Connection, KeptModes, along_axis};
 use crate::body::{FlexibleBody, Increment, ModalVector, State};
 use crate::joints::{Fixed, JointKind};
 
@@ -55,14 +55,6 @@ pub fn connect<T: RealField + Copy>(
     for (index, place) in connections.iter_mut().skip(start).take(count).enumerate() {
         *place = make(index);
     }
-}
-
-/// Rows without effect, for the joints on a body.
-pub fn empty_rows<const N: usize, B: FlexibleBody<T>, T: RealField + Copy>(
-    body: &B,
-) -> [AttachedRows<B::Modal, T>; N] {
-    let zeros = body.undeformed();
-    core::array::from_fn(|_| AttachedRows::empty(&zeros))
 }
 
 /// Room for the modes of a body, if it keeps them as unknowns.

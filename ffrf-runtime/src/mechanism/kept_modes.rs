@@ -20,6 +20,15 @@ pub struct KeptModes<V: ModalVector<T>, T: RealField + Copy = f64> {
     modal: ModalMatrix<V, T>,
 }
 
+impl<V, T> Copy for KeptModes<V, T>
+where
+    V: ModalVector<T> + Copy,
+    V::Sixes: Copy,
+    V::Matrix: Copy,
+    T: RealField + Copy,
+{
+}
+
 impl<V: ModalVector<T>, T: RealField + Copy> KeptModes<V, T> {
     /// Room for as many modes as there are zeros.
     pub fn empty(zeros: &V) -> Self {

@@ -55,12 +55,19 @@ where
         (self.load)(self.assembly, time, ports);
     }
 
+    type Rooms = A::Rooms;
+
+    fn rooms(&self) -> A::Rooms {
+        self.assembly.rooms()
+    }
+
     fn ports<'p>(
         &'p self,
+        rooms: &'p mut A::Rooms,
         state: A::State,
         implicit: Option<ImplicitTerms<'p, A::Increment, T>>,
     ) -> A::Ports<'p> {
-        self.assembly.ports(state, implicit)
+        self.assembly.ports(rooms, state, implicit)
     }
 
     fn collect(&self, ports: &A::Ports<'_>, increment: &A::Increment) -> A::Increment {

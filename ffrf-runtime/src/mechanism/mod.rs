@@ -28,6 +28,7 @@ mod plan;
 mod port;
 mod regularisation;
 mod rigid_frame;
+mod room;
 mod rubbing;
 mod sensing;
 mod soft_rows;
@@ -64,6 +65,7 @@ pub use plan::{
 pub use port::{Phase, Port, Ports};
 pub use regularisation::Regularisation;
 pub use rigid_frame::RigidFrame;
+pub use room::Room;
 pub use rubbing::FRICTION_PASSES;
 pub use sensing::{acceleration, reaction};
 pub use soft_rows::SoftLink;

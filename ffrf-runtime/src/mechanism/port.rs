@@ -17,8 +17,8 @@ pub enum Phase {
 
 /// One body in one state, prepared for joints. An object: joints, forces and sensors are compiled once for all bodies.
 pub trait Port<T: RealField + Copy>: TreePort<T> {
-    /// Place and motion of a marker.
-    fn marker_motion(&self, marker: usize) -> MarkerMotion<T>;
+    /// Sets place and motion of a marker, where they stay.
+    fn marker_motion(&self, marker: usize, to: &mut MarkerMotion<T>);
     /// A marker over a step of the energy-momentum method; `None` outside of those.
     fn marker_step(&self, marker: usize) -> Option<MarkerStep<T>>;
     /// Adds a wrench (inertial) at a marker to the force on the body.

@@ -14,7 +14,9 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let places = self.plan.joints.iter().skip(hard);
         for (index, (place, (link, markers))) in places.zip(storage).enumerate() {
             let Some(SoftLink { element, ends: [first, second] }) = assembly.soft(index) else { continue };
-            let joint = EvaluatedJoint::put(link, first.motion(self.ports), second.motion(self.ports));
+            let joint = EvaluatedJoint::put(link);
+            first.put_motion(self.ports, &mut joint.ends[0]);
+            second.put_motion(self.ports, &mut joint.ends[1]);
             let EvaluatedJoint { rows, ends } = joint;
             *markers = [first.marker, second.marker];
             element.soften(&ends[0], &ends[1], &mut |row| rows.push(row.in_stage(gamma_h)));

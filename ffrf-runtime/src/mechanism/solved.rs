@@ -16,6 +16,16 @@ pub(super) enum Solved<V: ModalVector<T>, T: RealField + Copy> {
     Tree(Woven<V, T>),
 }
 
+impl<V, T> Copy for Solved<V, T>
+where
+    V: ModalVector<T> + Copy,
+    V::Sixes: Copy,
+    V::Matrix: Copy,
+    V::Factors: Copy,
+    T: RealField + Copy,
+{
+}
+
 impl<V: ModalVector<T>, T: RealField + Copy> Solved<V, T> {
     #[inline(always)]
     pub(super) fn of_rows(eliminated: Option<Eliminated<V, T>>) -> Self {

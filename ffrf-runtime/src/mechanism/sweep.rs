@@ -2,37 +2,16 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::tree::Held;
-use super::{
-    Branch, Connection, Constraints, EvaluatedJoint, Freedom, JointPlace, Limb, LimbEnd, Plan, Storage,
-};
+use super::tree::{Parent, Seat, hold};
+use super::{Branch, Connection, Constraints, EvaluatedJoint, Freedom, Limb, LimbEnd, Plan, Storage};
 use crate::integrators::StepError;
-use crate::relations::Rows;
 use crate::six::{add, scaled};
 
-/// Whether motions stay apart from the rows of one joint.
-fn is_sound<T: RealField + Copy>(held: &[Held<T>; 2]) -> bool {
-    let duals = held.iter().flat_map(|held| &held.duals);
-    duals.fold(T::zero(), |sum, dual| sum + dual.sum()).is_finite()
-}
-
-/// What the rows of a joint hold at its second end: translations, rotations.
-#[inline]
-fn held_by<T: RealField + Copy>(connection: &Connection<T>, rows: &Rows<T>) -> [Held<T>; 2] {
-    let translations = connection.kind.held_translations();
-    let rotations = rows.len().saturating_sub(translations);
-    let [_, [x, y, z, r_x, r_y, r_z]] = rows.gradients();
-    let vector = |[x, y, z]: [&[T; 6]; 3], row: usize| {
-        let at = |numbers: &[T; 6]| numbers.get(row).copied().unwrap_or(T::zero());
-        Vector3::new(at(x), at(y), at(z))
-    };
-    let forces = if connection.kind.holds_point() {
-        Held::point()
-    } else {
-        Held::by(&[0, 1, 2].map(|row| vector([x, y, z], row)), translations)
-    };
-    let moments = [0, 1, 2].map(|row| vector([r_x, r_y, r_z], translations + row));
-    [forces, Held::by(&moments, rotations)]
+/// Three numbers of each of the rows of a joint from `start` on, at its second end: of forces, or of moments.
+#[inline(always)]
+fn rows_from<T: RealField + Copy>([x, y, z]: [&[T; 6]; 3], start: usize) -> [Vector3<T>; 3] {
+    let at = |numbers: &[T; 6], row: usize| numbers.get(row).copied().unwrap_or(T::zero());
+    [start, start + 1, start + 2].map(|row| Vector3::new(at(x, row), at(y, row), at(z, row)))
 }
 
 /// How many of the rows that hold a body, the first ones, hold translations.
@@ -53,51 +32,34 @@ fn motions<'f, T>(
     own.split_at_mut_checked(3_usize.saturating_sub(held_translations))
 }
 
-/// The end of a joint on a body, and how far its rows act beyond that.
+/// How far the rows of a joint act beyond one of its ends.
 ///
 /// Both ends are seen where the second one is: rows that hold a point or a distance do not ask where, and the others have the
 /// moment of that distance at their first end.
-fn end_of<T: RealField + Copy>(
+#[inline(always)]
+fn beyond<T: RealField + Copy>(
     connection: &Connection<T>,
     joint: &EvaluatedJoint<T>,
-    place: &JointPlace,
     second: bool,
-) -> Option<LimbEnd<T>> {
-    let [first_end, second_end] = &place.ends;
-    let (end, attachment, beyond) = match second {
-        true => (second_end, &connection.second, Vector3::zeros()),
-        false if connection.kind.holds_point() => (first_end, &connection.first, Vector3::zeros()),
-        false => (first_end, &connection.first, joint.ends[1].position - joint.ends[0].position),
-    };
-    end.as_ref().map(|end| LimbEnd { slot: end.slot, marker: attachment.marker, beyond })
+) -> Vector3<T> {
+    if second || connection.kind.holds_point() {
+        Vector3::zeros()
+    } else {
+        joint.ends[1].position - joint.ends[0].position
+    }
 }
 
-/// Where a body is held.
-struct Seat {
-    /// The slot of its own end of the joint.
-    root: Option<usize>,
-    /// What holds it, if that is no ground.
-    parent: Option<Parent>,
-}
-
-/// What holds a body.
-struct Parent {
-    /// Among the branches.
-    place: usize,
-    body: usize,
-    /// The slot of its end of the joint.
-    slot: usize,
-}
-
-fn seat(plan: &Plan<'_>, branch: &Branch) -> Option<Seat> {
-    let Some(joint) = branch.joint else { return Some(Seat { root: None, parent: None }) };
-    let [first, second] = plan.joints.get(joint)?.ends.each_ref().map(|end| end.as_ref().map(|end| end.slot));
+/// Sets where a body is held, in its place.
+#[inline(always)]
+fn take_seat(seat: &mut Seat, plan: &Plan<'_>, branch: &Branch) -> Option<()> {
+    let Some(joint) = branch.joint else { return Some(()) };
+    let [first, second] = &plan.joints.get(joint)?.ends;
     let (root, other) = if branch.is_second { (second, first) } else { (first, second) };
-    let parent = match branch.parent {
-        Some(place) => Some(Parent { place, body: plan.branches.get(place)?.body, slot: other? }),
-        None => None,
-    };
-    Some(Seat { root, parent })
+    seat.root = root.as_ref().map(|end| end.slot);
+    if let (Some(place), Some(end)) = (branch.parent, other) {
+        seat.parent = Some(Parent { place, body: end.body, slot: end.slot });
+    }
+    Some(())
 }
 
 impl<T: RealField + Copy> Constraints<'_, '_, T> {
@@ -128,15 +90,20 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let (before, [place, ..]) = limbs.split_at_mut_checked(index)? else { return None };
         let limb = place.get_or_insert_with(Limb::empty);
         limb.root = Vector3::zeros();
+        take_seat(&mut limb.seat, &self.plan, branch)?;
         if let Some(number) = branch.joint {
-            let (connection, joint, place) =
-                (self.connections.get(number)?, joints.get(number)?.as_ref()?, self.plan.joints.get(number)?);
-            let end = end_of(connection, joint, place, branch.is_second)?;
+            let (connection, joint) = (self.connections.get(number)?, joints.get(number)?.as_ref()?);
+            let (own, other) = match branch.is_second {
+                true => (&connection.second, &connection.first),
+                false => (&connection.first, &connection.second),
+            };
+            let beyond_own = beyond(connection, joint, branch.is_second);
+            let end = LimbEnd { slot: limb.seat.root?, marker: own.marker, beyond: beyond_own };
             limb.root = self.ports.port_mut(branch.body)?.reach(&end);
-            if let Some(parent) = branch.parent {
-                let end = end_of(connection, joint, place, !branch.is_second)?;
-                let body = self.plan.branches.get(parent)?.body;
-                limb.arm = self.ports.port_mut(body)?.reach(&end) - before.get(parent)?.as_ref()?.root;
+            if let Some(Parent { place, body, slot }) = limb.seat.parent {
+                let beyond_other = beyond(connection, joint, !branch.is_second);
+                let end = LimbEnd { slot, marker: other.marker, beyond: beyond_other };
+                limb.arm = self.ports.port_mut(body)?.reach(&end) - before.get(place)?.as_ref()?.root;
             }
         }
         self.ports.port_mut(branch.body)?.resist(limb);
@@ -148,25 +115,48 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let Storage { joints, limbs, freedoms, .. } = &mut *self.storage;
         let (before, [place, ..]) = limbs.split_at_mut_checked(index)? else { return None };
         let limb = place.as_mut()?;
-        let Seat { root, parent } = seat(&self.plan, branch)?;
-        self.ports.port_mut(branch.body)?.close(limb, root)?;
-        let held = match branch.joint {
-            Some(number) => held_by(self.connections.get(number)?, &joints.get(number)?.as_ref()?.rows),
-            None => [Held::nothing(); 2],
-        };
-        limb.hold(&held);
-        let mut sound = is_sound(&held);
-        let (along, about) = motions(freedoms, branch, held_translations(self.connections, branch))?;
-        let [translations, rotations] = &held;
-        for (place, free) in along.iter_mut().zip(&translations.free) {
-            sound &= place.insert(Freedom::release::<0>(free, &mut limb.inertia)).is_sound();
+        let Seat { root, parent } = limb.seat;
+        if limb.has_modes {
+            self.ports.port_mut(branch.body)?.close(limb, root)?;
         }
-        for (place, free) in about.iter_mut().zip(&rotations.free) {
-            sound &= place.insert(Freedom::release::<3>(free, &mut limb.inertia)).is_sound();
+        let (along, about) = motions(freedoms, branch, held_translations(self.connections, branch))?;
+        let Limb { inertia, held: [forces, moments], holds_point, .. } = limb;
+        let mut sound = true;
+        let (mut along, mut about) = (along.iter_mut(), about.iter_mut());
+        match branch.joint {
+            None => {
+                for free in [Vector3::x(), Vector3::y(), Vector3::z()] {
+                    sound &= Freedom::put::<0>(along.next(), &free, inertia);
+                }
+                for free in [Vector3::x(), Vector3::y(), Vector3::z()] {
+                    sound &= Freedom::put::<3>(about.next(), &free, inertia);
+                }
+            }
+            Some(number) => {
+                let (connection, joint) = (self.connections.get(number)?, joints.get(number)?.as_ref()?);
+                let [_, [x, y, z, r_x, r_y, r_z]] = joint.rows.gradients();
+                let translations = connection.kind.held_translations();
+                *holds_point = connection.kind.holds_point();
+                if !*holds_point {
+                    let rows = rows_from([x, y, z], 0);
+                    let apart = hold(&rows, translations, forces, |free| {
+                        sound &= Freedom::put::<0>(along.next(), free, inertia);
+                    });
+                    sound &= apart;
+                }
+                let rows = rows_from([r_x, r_y, r_z], translations);
+                let apart = hold(&rows, joint.rows.len().saturating_sub(translations), moments, |free| {
+                    sound &= Freedom::put::<3>(about.next(), free, inertia);
+                });
+                sound &= apart;
+            }
         }
         if let Some(Parent { place, body, slot }) = parent {
-            before.get_mut(place)?.as_mut()?.bear(&limb.inertia, &limb.arm);
-            self.ports.port_mut(body)?.bear(slot, &limb.inertia, &limb.arm);
+            let parent = before.get_mut(place)?.as_mut()?;
+            parent.bear(&limb.inertia, &limb.arm);
+            if parent.has_modes {
+                self.ports.port_mut(body)?.bear(slot, &limb.inertia, &limb.arm);
+            }
         }
         Some(sound)
     }
@@ -190,9 +180,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let Storage { limbs, freedoms, right, .. } = &mut *self.storage;
         let (before, [place, ..]) = limbs.split_at_mut_checked(index)? else { return None };
         let limb = place.as_mut()?;
-        let Seat { root, parent } = seat(&self.plan, branch)?;
+        let Seat { root, parent } = limb.seat;
         let held = held_translations(self.connections, branch);
-        self.ports.port_mut(branch.body)?.yield_to(limb, root);
+        if limb.has_modes {
+            self.ports.port_mut(branch.body)?.yield_to(limb, root);
+        }
         if let Some(number) = branch.joint {
             let wanted = right.get(self.plan.joints.get(number)?.node)?;
             let (forces, moments) = wanted.split_at_checked(held)?;
@@ -200,7 +192,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 duals.iter().zip(wanted).fold(Vector3::zeros(), |sum, (dual, wanted)| sum + dual * *wanted)
             };
             let [translations, rotations] = &limb.held;
-            let (linear, angular) = (sum(translations, forces), sum(rotations, moments));
+            let linear = match forces {
+                [x, y, z] if limb.holds_point => Vector3::new(*x, *y, *z),
+                _ => sum(translations, forces),
+            };
+            let angular = sum(rotations, moments);
             limb.step =
                 scaled(branch.sign(), &[linear.x, linear.y, linear.z, angular.x, angular.y, angular.z]);
         }
@@ -214,8 +210,11 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         if let Some(Parent { place, body, slot }) = parent {
             let mut pull = scaled(-T::one(), &limb.resist(&limb.step));
             add(&mut pull, &limb.force);
-            before.get_mut(place)?.as_mut()?.push(pull, &limb.arm);
-            self.ports.port_mut(body)?.bear_force(slot, &pull);
+            let parent = before.get_mut(place)?.as_mut()?;
+            parent.push(pull, &limb.arm);
+            if parent.has_modes {
+                self.ports.port_mut(body)?.bear_force(slot, &pull);
+            }
         }
         Some(())
     }
@@ -225,12 +224,18 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
         let Storage { limbs, freedoms, solution, .. } = &mut *self.storage;
         let (before, [place, ..]) = limbs.split_at_mut_checked(index)? else { return None };
         let limb = place.as_mut()?;
-        let Seat { root, parent } = seat(&self.plan, branch)?;
+        let Seat { root, parent } = limb.seat;
         let held = held_translations(self.connections, branch);
         let mut twist = [T::zero(); 6];
         if let Some(Parent { place, body, slot }) = parent {
-            twist = before.get(place)?.as_ref()?.twist_at(&limb.arm);
-            self.ports.port(body)?.carry(slot, &mut twist);
+            let parent = before.get(place)?.as_ref()?;
+            twist = parent.twist_at(&limb.arm);
+            if parent.has_modes {
+                // a copy, so that the twist of a rigid one stays in registers
+                let mut carried = twist;
+                self.ports.port(body)?.carry(slot, &mut carried);
+                twist = carried;
+            }
         }
         if let Some(number) = branch.joint {
             add(&mut twist, &limb.step);
@@ -243,8 +248,13 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             *negative = [T::zero(); 6];
             let (forces, moments) = negative.split_at_mut_checked(held)?;
             let [translations, rotations] = &limb.held;
-            for (place, dual) in forces.iter_mut().zip(translations) {
-                *place = dual.dot(&force);
+            match forces {
+                [x, y, z] if limb.holds_point => [*x, *y, *z] = force.into(),
+                _ => {
+                    for (place, dual) in forces.iter_mut().zip(translations) {
+                        *place = dual.dot(&force);
+                    }
+                }
             }
             for (place, dual) in moments.iter_mut().zip(rotations) {
                 *place = dual.dot(&moment);

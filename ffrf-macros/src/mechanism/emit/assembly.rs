@@ -6,6 +6,7 @@ use quote::{ToTokens, quote};
 use super::branches::{Branches, branches};
 use super::forces::{forces, friction_count};
 use super::plan::{Layout, hubs, layout};
+use super::rooms::rooms;
 use super::straight::straight_rates;
 use super::{Names, hubs_of, markers_of, slice, slice_mut};
 use crate::mechanism::bodies::Body;
@@ -55,7 +56,8 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
         Scalar::Generic => quote! { <'a, T> },
         _ => quote! { <'a> },
     };
-    let made = spec.bodies.iter().map(|body| port(body, spec));
+    let made = spec.bodies.iter().enumerate().map(|(place, body)| port(body, place, spec));
+    let [rooms, absent_rooms] = rooms(spec);
     let each = |owner: &str, action: TokenStream| {
         let owner: TokenStream = syn::Ident::new(owner, proc_macro2::Span::call_site()).into_token_stream();
         let loops = spec.bodies.iter().map(move |body| {
@@ -173,8 +175,15 @@ pub(super) fn assembly(names: &Names, spec: &Spec) -> TokenStream {
                 type Modes = ();
                 type Ports<'a> = #ports #lifetime_and_type where Self: 'a;
 
+                type Rooms = #rooms;
+
+                fn rooms(&self) -> Self::Rooms {
+                    #absent_rooms
+                }
+
                 fn ports<'a>(
                     &'a self,
+                    rooms: &'a mut Self::Rooms,
                     state: Self::State,
                     implicit: ::core::option::Option<::ffrf::mechanism::ImplicitTerms<'a, Self::Increment, #t>>,
                 ) -> Self::Ports<'a> {
@@ -346,7 +355,8 @@ fn ident(name: &str) -> TokenStream {
 }
 
 /// The ports of one body, or of an array of them.
-fn port(body: &Body, spec: &Spec) -> TokenStream {
+fn port(body: &Body, place: usize, spec: &Spec) -> TokenStream {
+    let room = syn::Index::from(place);
     let (field, markers, t) = (&body.name, markers_of(body), spec.scalar.name());
     let terms = |subtracted: TokenStream, chart: TokenStream| {
         quote! {
@@ -358,16 +368,10 @@ fn port(body: &Body, spec: &Spec) -> TokenStream {
         }
     };
     let hubs = hubs_of(body, spec);
-    let (make, kept) = if hubs.is_empty() {
-        (quote! { new }, TokenStream::new())
-    } else {
-        (
-            quote! { keeping },
-            match body.count {
-                None => quote! { support::kept(&self.#field, KEEPS_MODES), },
-                Some(_) => quote! { support::kept(body, KEEPS_MODES && [#(#hubs),*].contains(&number)), },
-            },
-        )
+    let kept = match body.count {
+        _ if hubs.is_empty() => quote! { () },
+        None => quote! { support::kept(&self.#field, KEEPS_MODES) },
+        Some(_) => quote! { support::kept(body, KEEPS_MODES && [#(#hubs),*].contains(&number)) },
     };
     let number = (!hubs.is_empty()).then(|| quote! { let number = numbers.next().unwrap_or(0); });
     let numbers = (!hubs.is_empty()).then(|| quote! { let mut numbers = 0_usize..; });
@@ -376,13 +380,13 @@ fn port(body: &Body, spec: &Spec) -> TokenStream {
             let of_body = |what: TokenStream| quote! { terms.#what.map(|all| &all.#field) };
             let terms = terms(of_body(quote! { subtracted }), of_body(quote! { chart }));
             quote! {
-                #field: ::ffrf::mechanism::BodyPort::#make(
+                #field: ::ffrf::mechanism::BodyPort::new(
                     &self.#field,
                     &self.#markers,
                     state.#field,
-                    support::empty_rows(&self.#field),
                     #terms,
-                    #kept
+                    (support::absent(), #kept),
+                    &mut rooms.#room,
                 )
             }
         }
@@ -395,19 +399,21 @@ fn port(body: &Body, spec: &Spec) -> TokenStream {
                     let mut changes = all.map(|all| all.#field.iter());
                     let all = implicit.and_then(|terms| terms.chart);
                     let mut charts = all.map(|all| all.#field.iter());
+                    let mut bodies = self.#field.iter();
                     #numbers
-                    self.#field.each_ref().map(|body| {
+                    rooms.#room.each_mut().map(|room| {
+                        let body = bodies.next().unwrap_or(support::first(&self.#field));
                         #number
                         let subtracted = changes.as_mut().and_then(::core::iter::Iterator::next);
                         let chart = charts.as_mut().and_then(::core::iter::Iterator::next);
                         let state = states.next().copied();
-                        ::ffrf::mechanism::BodyPort::#make(
+                        ::ffrf::mechanism::BodyPort::new(
                             body,
                             &self.#markers,
                             state.unwrap_or_else(|| ::ffrf::State::<_, #t>::at_rest(body)),
-                            support::empty_rows(body),
                             #terms,
-                            #kept
+                            (support::absent(), #kept),
+                            room,
                         )
                     })
                 }

@@ -119,7 +119,8 @@ fn stored(spec: &Spec) -> TokenStream {
         return TokenStream::new();
     }
     quote! {
-        let ports = ::ffrf::mechanism::Assembly::ports(self, *state, ::core::option::Option::None);
+        let mut rooms = ::ffrf::mechanism::Assembly::rooms(self);
+        let ports = ::ffrf::mechanism::Assembly::ports(self, &mut rooms, *state, ::core::option::Option::None);
         #(#added)*
     }
 }

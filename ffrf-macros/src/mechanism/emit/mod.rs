@@ -5,6 +5,7 @@ mod branches;
 mod forces;
 mod model;
 mod plan;
+mod rooms;
 mod sensors;
 mod states;
 mod straight;

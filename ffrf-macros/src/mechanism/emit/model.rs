@@ -107,7 +107,9 @@ pub(super) fn model(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
             #[must_use]
             pub fn met_in(self, state: &#state #used) -> Self {
                 let connections = {
-                    let ports = ::ffrf::mechanism::Assembly::<#t>::ports(&self, *state, ::core::option::Option::None);
+                    let mut rooms = ::ffrf::mechanism::Assembly::<#t>::rooms(&self);
+                    let ports =
+                        ::ffrf::mechanism::Assembly::<#t>::ports(&self, &mut rooms, *state, ::core::option::Option::None);
                     self.connections.map(|connection| connection.met_in(&ports))
                 };
                 Self { connections, ..self }

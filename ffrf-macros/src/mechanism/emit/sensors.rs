@@ -17,7 +17,9 @@ pub(super) fn sensors(names: &Names, spec: &Spec) -> TokenStream {
     let (bound, used, t) = (spec.scalar.bound(), spec.scalar.used(), spec.scalar.name());
     let vector = quote! { ::ffrf::nalgebra::Vector3<#t> };
     let ports = quote! {
-        let ports = ::ffrf::mechanism::Assembly::<#t>::ports(self, *state, ::core::option::Option::None);
+        let mut rooms = ::ffrf::mechanism::Assembly::<#t>::rooms(self);
+        let ports =
+            ::ffrf::mechanism::Assembly::<#t>::ports(self, &mut rooms, *state, ::core::option::Option::None);
     };
     let evaluated = |value: TokenStream, result: &TokenStream| {
         quote! {

@@ -3,7 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{Names, field_type, hubs_of, modal, slice, slice_mut};
+use super::rooms::room_parameters;
+use super::{Names, field_type, modal, slice, slice_mut};
 use crate::mechanism::spec::Spec;
 use crate::parse::Input;
 
@@ -25,16 +26,8 @@ pub(super) fn states(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
     let increment_fields = fields(&|modal| quote! { ::ffrf::Increment<#modal, #t> });
     let port_fields = spec.bodies.iter().map(|body| {
         let (field, doc) = (&body.name, format!("Body `{}`.", body.name));
-        let (kind, modal) = (body.kind(&spec.scalar), modal(body, spec));
-        let rows = (body.first..body.first + body.len())
-            .map(|index| spec.soft.as_ref().map_or(&spec.plan, |(plans, _)| plans).attached_ends(index))
-            .max()
-            .unwrap_or(0);
-        let rows = quote! { [::ffrf::mechanism::AttachedRows<#modal, #t>; #rows] };
-        let kept = (!hubs_of(body, spec).is_empty()).then(|| {
-            quote! { , ::core::option::Option<::ffrf::mechanism::KeptModes<#modal, #t>> }
-        });
-        let kind = field_type(body, &quote! { ::ffrf::mechanism::BodyPort<'a, #kind, #rows, #t #kept> });
+        let (kind, [rows, kept]) = (body.kind(&spec.scalar), room_parameters(body, spec));
+        let kind = field_type(body, &quote! { ::ffrf::mechanism::BodyPort<'a, #kind, #rows, #t, #kept> });
         quote! { #[doc = #doc] pub #field: #kind, }
     });
     let port_parameters = match spec.scalar {

@@ -18,9 +18,15 @@ pub struct Freedom<T = f64> {
 }
 
 impl<T: RealField + Copy> Freedom<T> {
-    /// Takes a motion out of what resists it, in place. `FIRST`: 0 for translations, 3 for rotations.
+    /// Puts a motion where it stays, and takes it out of what resists it. Whether it meets something. `FIRST`: 0 for translations,
+    /// 3 for rotations.
     #[inline]
-    pub(crate) fn release<const FIRST: usize>(direction: &Vector3<T>, inertia: &mut Square<T>) -> Self {
+    pub(crate) fn put<const FIRST: usize>(
+        place: Option<&mut Option<Self>>,
+        direction: &Vector3<T>,
+        inertia: &mut Square<T>,
+    ) -> bool {
+        let Some(place) = place else { return false };
         let [x, y, z]: [T; 3] = (*direction).into();
         let mut effect = scaled(x, &inertia[FIRST]);
         add_scaled(&mut effect, y, &inertia[FIRST + 1]);
@@ -30,12 +36,16 @@ impl<T: RealField + Copy> Freedom<T> {
         for (row, share) in inertia.iter_mut().zip(shares) {
             subtract_scaled(row, share, &effect);
         }
-        Self { direction: *direction, effect, inverse, alone: T::zero() }
-    }
-
-    /// Whether the motion meets something.
-    pub(crate) fn is_sound(&self) -> bool {
-        self.inverse.is_finite() && self.inverse != T::zero()
+        // number by number: what is made elsewhere and copied in wider pieces waits for its stores
+        let none = T::zero();
+        let motion = place.get_or_insert_with(|| Self {
+            direction: Vector3::zeros(),
+            effect: [none; 6],
+            inverse: none,
+            alone: none,
+        });
+        (motion.direction, motion.effect, motion.inverse) = (*direction, effect, inverse);
+        inverse.is_finite() && inverse != none
     }
 
     /// Lets the motion go under a force, and takes out of the force what that costs.

@@ -2,7 +2,6 @@
 
 use nalgebra::{Matrix3, RealField, Vector3};
 
-use super::held::Held;
 use crate::six::{Square, add, add_moment, add_scaled, zeros};
 
 /// An end of a joint on a body of a tree.
@@ -16,9 +15,30 @@ pub struct LimbEnd<T> {
     pub beyond: Vector3<T>,
 }
 
+/// Where a body is held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Seat {
+    /// The slot of its own end of the joint.
+    pub(crate) root: Option<usize>,
+    /// What holds it, if that is no ground.
+    pub(crate) parent: Option<Parent>,
+}
+
+/// What holds a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Parent {
+    /// Among the branches.
+    pub(crate) place: usize,
+    pub(crate) body: usize,
+    /// The slot of its end of the joint.
+    pub(crate) slot: usize,
+}
+
 /// A body with all that hangs on it: A t - h = w at the end of the joint that holds it. Frame: inertial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limb<T: RealField + Copy = f64> {
+    /// Where it is held.
+    pub(crate) seat: Seat,
     /// A, of which the motions that the joint leaves are then taken out. Shape: 6 x 6, symmetric.
     pub(crate) inertia: Square<T>,
     /// h, likewise. Shape: 6.
@@ -29,7 +49,11 @@ pub struct Limb<T: RealField + Copy = f64> {
     pub(crate) root: Vector3<T>,
     /// From the end of the parent's joint to that of this one. Units: m.
     pub(crate) arm: Vector3<T>,
-    /// What the rows hold: translations, rotations.
+    /// Whether modes bear what hangs on it.
+    pub(crate) has_modes: bool,
+    /// Whether its first three rows are the inertial axes: they hold a point.
+    pub(crate) holds_point: bool,
+    /// Duals of the rows: of translations, if they hold no point, and of rotations.
     pub(crate) held: [[Vector3<T>; 3]; 2],
     /// δ. Shape: 6.
     pub(crate) step: [T; 6],
@@ -42,19 +66,18 @@ impl<T: RealField + Copy> Limb<T> {
     pub(crate) fn empty() -> Self {
         let none = Vector3::zeros();
         Self {
+            seat: Seat { root: None, parent: None },
             inertia: zeros(),
             force: [T::zero(); 6],
             axes: Matrix3::identity(),
             root: none,
             arm: none,
+            has_modes: false,
+            holds_point: false,
             held: [[none; 3]; 2],
             step: [T::zero(); 6],
             twist: [T::zero(); 6],
         }
-    }
-
-    pub(crate) fn hold(&mut self, [translations, rotations]: &[Held<T>; 2]) {
-        self.held = [translations.duals, rotations.duals];
     }
 
     /// Sets the inertia of a rigid body: mass, and first moment and inertia about the frame origin in axes that lie so.

@@ -26,6 +26,7 @@ mod woven;
 
 pub use branch::{Branch, sweeps};
 pub use freedom::Freedom;
-pub(super) use held::Held;
+pub(super) use held::hold;
 pub use limb::{Limb, LimbEnd};
+pub(super) use limb::{Parent, Seat};
 pub(crate) use woven::Woven;

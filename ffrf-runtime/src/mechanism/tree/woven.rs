@@ -12,7 +12,7 @@ use crate::six::{Square, add, add_moment, add_scaled, dot, subtract_scaled};
 /// and the modes, to which each thing that hangs at an end c adds Xᵀ A X, Xᵀ A Φ_c and Φ_cᵀ A Φ_c. The motion of the end of the
 /// body's own joint is t = a + Φ q̈: in t and the modes these are Z, C - Z Φ and Θ - Φᵀ C - (C - Z Φ)ᵀ Φ, of which the modes are
 /// eliminated one after the other.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Woven<V: ModalVector<T>, T: RealField + Copy> {
     /// Cᵀ, then that of t with the modes before each taken out. Shape: M x 6.
     pub(crate) coupling: V::Sixes,
