@@ -7,6 +7,8 @@
 //!
 //! Two tables hold what there is: [`invariants`] those of a body, [`formulate::KERNELS`] what is computed from them.
 //!
+//! Functions on arrays, as the accelerations of a whole mechanism, come as graphs: [`array_function`].
+//!
 //! One generator, three doors: the macro `ffrf::flexible_body!`, the command `ffrf generate`, and a build script
 //! that calls [`generate`] and writes [`GeneratedCode::text`] to a file. A pure library: no files, no environment.
 #![forbid(unsafe_code)]

@@ -15,12 +15,14 @@ const INERTIA: f64 = 3e-3;
 const LEVER: f64 = 0.2;
 const WEIGHT: f64 = MASS * 9.81;
 
+/// State, drives, and what is answered.
+type Asked = ([f64; 55], [[f64; 3]; 5], Option<[f64; 26]>);
+
 thread_local! {
     /// How often a function of this thread was asked.
     static ASKED: Cell<usize> = const { Cell::new(0) };
     /// What the functions of the rods were asked last, and what they answer.
-    static RODS: RefCell<([f64; 55], [[f64; 3]; 5], Option<[f64; 26]>)> =
-        const { RefCell::new(([0.0; 55], [[0.0; 3]; 5], None)) };
+    static RODS: RefCell<Asked> = const { RefCell::new(([0.0; 55], [[0.0; 3]; 5], None)) };
 }
 
 /// Cosine and sine of the angle about y.

@@ -29,7 +29,8 @@ pub struct Inspect {
 /// `ffrf generate`
 #[derive(Debug, Args)]
 pub struct Generate {
-    /// The reduced body; with --language c, a scene SCENE.toml as well: the time step of its mechanism.
+    /// The reduced body, or a scene SCENE.toml: in Rust its bodies, its mechanism and accelerations in straight-line code, in C
+    /// the time step of its mechanism.
     #[arg(value_name = "MODEL", required_unless_present = "layout")]
     pub model: Option<PathBuf>,
     /// Name of the generated type (default: Body, or Mechanism for a scene).

@@ -3,7 +3,7 @@
 use ffrf_codegen::ArrayFunction;
 use ffrf_codegen::expression::Expression;
 use ffrf_runtime::System;
-use ffrf_runtime::mechanism::{Assembly, Constrained};
+use ffrf_runtime::mechanism::{Assembly, Constrained, Treatment};
 use ffrf_trace::{Tape, Traced, record};
 
 use super::StraightLineError;
@@ -84,6 +84,9 @@ fn check(scene: &Scene) -> Result<(), StraightLineError> {
     let unknown = |name: &String| Err(StraightLineError::Unknown { what: format!("forces.{name}") });
     if let Some(name) = scene.actuator_names.first() {
         return unknown(name);
+    }
+    if let Treatment::Baumgarte { .. } = scene.mechanism.treatment() {
+        return Err(StraightLineError::Gains);
     }
     match scene.mechanism.friction(0) {
         Some(_) => Err(StraightLineError::Unknown { what: "friction that follows reactions".to_owned() }),

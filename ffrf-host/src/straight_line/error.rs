@@ -21,6 +21,9 @@ pub enum StraightLineError {
         /// Names of the functions.
         functions: String,
     },
+    /// Accelerations that draw residuals back by gains of the step.
+    #[error("constraints = \"baumgarte\": gains follow the step, expected another treatment")]
+    Gains,
     /// There are no accelerations at the initial state.
     #[error("at the initial state: {0}")]
     Accelerations(StepError),
