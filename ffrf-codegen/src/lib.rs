@@ -29,6 +29,7 @@ mod counts;
 mod emit;
 mod error;
 mod generate;
+mod generate_array_function;
 mod generate_mechanism;
 mod interpreted;
 mod options;
@@ -37,14 +38,12 @@ mod prepare;
 mod report;
 mod validate;
 
-pub use array_function::{
-    ArrayFunction, ArrayInput, Call, Condition, Function, GeneratedArrayFunction, Relation,
-    generate_array_function,
-};
+pub use array_function::{ArrayFunction, ArrayInput, Call, Condition, Function, Relation};
 pub use counts::OperationCounts;
 pub use error::CodegenError;
 pub use fidelity::Fidelity;
 pub use generate::{GeneratedC, GeneratedCode, generate, generate_c, generate_with_layout};
+pub use generate_array_function::{GeneratedArrayFunction, generate_array_function};
 pub use generate_mechanism::{GeneratedMechanismC, generate_mechanism_c};
 pub use interpreted::{KernelInput, Kernels};
 pub use options::{

@@ -30,7 +30,7 @@ ffrf::mechanism! {
 /// upper (0 modes): state 0..13, accelerations 0..6
 /// lower (0 modes): state 13..26, accelerations 6..12
 ///
-/// Cost: 534 operations: 223 multiply-add, 221 multiply, 82 add, 6 divide, 2 square root.
+/// Cost: 532 operations: 223 multiply-add, 221 multiply, 80 add, 6 divide, 2 square root.
 #[allow(
     clippy::all,
     clippy::pedantic,
@@ -110,13 +110,13 @@ pub fn double_pendulum_accelerations(
     let t58 = t50 * t57;
     let t59 = t56 * t57;
     let t60 = fma(-t32, t58, t53 * t59);
-    let t61 = t55 * t57;
-    let t62 = fma(-t49, t59, t32 * t61);
-    let t63 = fma(-t53, t61, t49 * t58);
-    let t64 = fma(-t54, t59, t45 * t58);
-    let t65 = fma(-t45, t61, t41 * t59);
-    let t66 = fma(-t41, t58, t54 * t61);
-    let t67 = 3.0 + (t60 + (t62 + t63)) + (t64 + (t65 + t66));
+    let t61 = fma(-t54, t59, t45 * t58);
+    let t62 = t55 * t57;
+    let t63 = fma(-t49, t59, t32 * t62);
+    let t64 = fma(-t45, t62, t41 * t59);
+    let t65 = fma(-t53, t62, t49 * t58);
+    let t66 = fma(-t41, t58, t54 * t62);
+    let t67 = t60 + t61 + (t63 + t64 + (t65 + t66));
     let t68 = t22 * t25;
     let t69 = t3 * t7;
     let t70 = t68 - t69;
@@ -129,11 +129,11 @@ pub fn double_pendulum_accelerations(
     let t77 = fma(t73, t75, t76 * t70);
     let t78 = t77 * (1.0 / (t77 * t77));
     let t79 = t70 * t78;
-    let t80 = 1.0 - t72;
-    let t81 = t80 * t78;
-    let t82 = t76 * t78;
-    let t83 = t75 * t78;
-    let t84 = 3.0 + (t79 - t81) + (t82 - t83);
+    let t80 = t75 * t78;
+    let t81 = t76 * t78;
+    let t82 = 1.0 - t72;
+    let t83 = t82 * t78;
+    let t84 = t79 - t80 + (t81 - t83);
     let t85 = t26 - t23;
     let t86 = t35 + t34;
     let t87 = fma(t52, 0.33340000000000003 * t52, fma(t86, 0.33340000000000003 * t86, t85 * (0.0001 * t85)));
@@ -182,7 +182,7 @@ pub fn double_pendulum_accelerations(
     let t130 = 0.0001 * state10;
     let t131 = 0.33340000000000003 * state12;
     let t132 = fma(t86, fma(-0.5, -9.81 * t36, fma(-state12, t130, state10 * t131)), t85 * fma(-state11, t131, state12 * t129));
-    let t133 = fma(t52, fma(0.5, -9.81 * t80, fma(-state10, t129, state11 * t130)), t132);
+    let t133 = fma(t52, fma(0.5, -9.81 * t82, fma(-state10, t129, state11 * t130)), t132);
     let t134 = -9.81 * t48;
     let t135 = 0.33340000000000003 * state24;
     let t136 = 0.0001 * state23;
@@ -201,7 +201,7 @@ pub fn double_pendulum_accelerations(
     let t149 = t69 - t68;
     let t150 = fma(state12, t27, fma(state11, t149, state10 * t112));
     let t151 = fma(t10, t150, t27 * t145);
-    let t152 = fma(state12, t36, fma(state11, t80, state10 * t76));
+    let t152 = fma(state12, t36, fma(state11, t82, state10 * t76));
     let t153 = fma(t51, t145, t52 * t152);
     let t154 = t47 - 1.0;
     let t155 = fma(state25, t90, fma(state24, t48, state23 * t33));
@@ -223,11 +223,11 @@ pub fn double_pendulum_accelerations(
     let t171 = (fma(-t33, t160, t44 * t151) + fma(t10, t169, t36 * t170)) * t162;
     let t172 = fma(fma(t168, t153, t40 * t160) + fma(-t27, t170, t52 * t167), t159, t171);
     let t173 = fma(fma(t166, t151, t33 * t153) + fma(t51, t167, t27 * t169), t147, t172);
-    let t174 = fma(t165, t64, t173 * t60);
+    let t174 = fma(t165, t61, t173 * t60);
     let t175 = t106 * t109;
-    let t176 = fma(t165, t66, t173 * t63);
+    let t176 = fma(t165, t66, t173 * t65);
     let t177 = t108 * t109;
-    let t178 = fma(t165, t65, t173 * t62);
+    let t178 = fma(t165, t64, t173 * t63);
     let t179 = state10 * state12;
     let t180 = t23 - t26;
     let t181 = fma(state12, state12, state11 * state11);
@@ -236,7 +236,7 @@ pub fn double_pendulum_accelerations(
     let t184 = fma(-t113, t56, t101 * t50);
     let t185 = t184 * t109;
     let t186 = fma(t27, t179, fma(t75, t181, t149 * t182));
-    let t187 = fma(t36, t179, fma(-t76, t181, t80 * t182));
+    let t187 = fma(t36, t179, fma(-t76, t181, t82 * t182));
     let t188 = fma(-fma(-t100, t177, t99), t178, fma(-t183, t100 * t185, fma(-t186, t111, t187 * t116)));
     let t189 = fma(-t100, t144, t142) + fma(t118, t174, -fma(-fma(-t100, t175, t94), t176, t188));
     let t190 = 0.5 * state25;
@@ -248,15 +248,15 @@ pub fn double_pendulum_accelerations(
     let t196 = fma(-t103, t144, fma(t95, t191, fma(t21, t193, t40 * t194))) - fma(t121, t174, fma(-fma(-t103, t175, t102), t176, t195));
     let t197 = fma(fma(t114, t177, t102), t178, fma(-t183, t114 * t185, fma(-t186, t123, t187 * t124)));
     let t198 = fma(-t114, t144, fma(t90, t191, fma(t48, t193, t33 * t194))) + fma(t125, t174, -fma(t114 * t175, t176, t197));
-    let t199 = fma(t52, 0.33340000000000003 * t36, fma(t86, 0.33340000000000003 * t80, t85 * (0.0001 * t76)));
+    let t199 = fma(t52, 0.33340000000000003 * t36, fma(t86, 0.33340000000000003 * t82, t85 * (0.0001 * t76)));
     let t200 = fma(-t76, fma(-t106, t110, t102), fma(t75, t106 * t115, fma(-t106, t117, t94)));
     let t201 = fma(t76, t184 * t110, -fma(t112, t184 * t115, t184 * t117));
     let t202 = fma(t152, fma(-t76, t145, t85 * t152), t150 * fma(t75, t145, t85 * t150));
     let t203 = fma(t152, fma(t73, t145, t86 * t152), t150 * fma(t70, t145, t86 * t150));
-    let t204 = fma(-t202, t81, t203 * t82);
+    let t204 = fma(-t202, t83, t203 * t81);
     let t205 = fma(t52, 0.33340000000000003 * t27, fma(t86, 0.33340000000000003 * t149, t85 * (0.0001 * t112)));
     let t206 = fma(t76, t108 * t110, fma(t75, fma(t108, t115, t102), fma(-t108, t117, t99)));
-    let t207 = fma(-t203, t83, t202 * t79);
+    let t207 = fma(-t203, t80, t202 * t79);
     let t208 = fma((t199 + (t200 - fma(t112, t201, t85 * t122))) * t77, t204, (t205 + (t206 + fma(t180, t126, t76 * t201))) * t77 * t207);
     let t209 = fma(t77, t133 + (t189 + fma(-t76, t196, t112 * t198)), -t208);
     let t210 = t77 * (t128 * t209);
@@ -279,17 +279,17 @@ pub fn double_pendulum_accelerations(
     let t227 = 2.0 * fma(-t14, t222, t13 * t223);
     *accelerations = [
         0.0, 0.0, 0.0, fma(t85, t210, fma(t76, t204, t112 * t207)),
-        fma(t86, t210, fma(t80, t204, t149 * t207)), fma(t52, t210, fma(t36, t204, t27 * t207)),
+        fma(t86, t210, fma(t82, t204, t149 * t207)), fma(t52, t210, fma(t36, t204, t27 * t207)),
         t222 + fma(t17, t225, fma(-t18, t226, t14 * t227)),
         t223 + fma(t17, t226, fma(-t13, t227, t18 * t225)),
         t224 + fma(t17, t227, fma(-t14, t225, t13 * t226)),
         fma(t44, t219, fma(t33, t220, t40 * t221)), fma(t31, t219, fma(t48, t220, t21 * t221)),
         fma(t88, t219, fma(t90, t220, t95 * t221)),
     ];
-    (t67).is_finite()
-        & (t109).is_finite()
+    (t109).is_finite()
         & (t109 != 0.0_f64)
-        & (t84).is_finite()
+        & (t67).is_finite()
         & (t128).is_finite()
         & (t128 != 0.0_f64)
+        & (t84).is_finite()
 }

@@ -138,13 +138,13 @@ ffrf::mechanism! {
     }
 }
 
-/// What `ffrf generate scenes/NAME.toml -o src/straight_line/NAME.rs` prints: the accelerations in straight-line code.
+/// What `ffrf generate` prints for the scenes of this folder: the accelerations in straight-line code.
 mod straight_line {
     pub mod pendulum_n8 {
-        include!("straight_line/pendulum_n8.rs");
+        include!("../../../tests/golden/straight_pendulum_n8.rs");
     }
     pub mod slider_crank_m8 {
-        include!("straight_line/slider_crank_m8.rs");
+        include!("../../../tests/golden/straight_slider_crank_m8.rs");
     }
 }
 

@@ -5,11 +5,9 @@
 
 mod call;
 mod condition;
-mod generate;
 
 pub use call::{Call, Function};
 pub use condition::{Condition, Relation};
-pub use generate::{GeneratedArrayFunction, generate_array_function};
 
 use crate::expression::{Expression, Graph, Symbol, evaluate};
 

@@ -1,6 +1,6 @@
 //! From an array function to text.
 
-use super::{ArrayFunction, ArrayInput, Call, Relation};
+use crate::array_function::{ArrayFunction, ArrayInput, Call, Relation};
 use crate::counts::OperationCounts;
 use crate::expression::Extent;
 use crate::formulate::{Draft, Kernel, Output, Shape, Signature};

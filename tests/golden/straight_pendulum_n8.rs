@@ -44,7 +44,7 @@ ffrf::mechanism! {
 /// link6 (0 modes): state 78..91, accelerations 36..42
 /// link7 (0 modes): state 91..104, accelerations 42..48
 ///
-/// Cost: 3880 operations: 1753 multiply-add, 1289 multiply, 806 add, 24 divide, 8 square root.
+/// Cost: 3872 operations: 1753 multiply-add, 1289 multiply, 798 add, 24 divide, 8 square root.
 #[allow(
     clippy::all,
     clippy::pedantic,
@@ -130,13 +130,13 @@ pub fn pendulum_n8_accelerations(
     let t58 = t50 * t57;
     let t59 = t56 * t57;
     let t60 = fma(-t32, t58, t53 * t59);
-    let t61 = t55 * t57;
-    let t62 = fma(-t49, t59, t32 * t61);
-    let t63 = fma(-t53, t61, t49 * t58);
-    let t64 = fma(-t54, t59, t45 * t58);
-    let t65 = fma(-t45, t61, t41 * t59);
-    let t66 = fma(-t41, t58, t54 * t61);
-    let t67 = 3.0 + (t60 + (t62 + t63)) + (t64 + (t65 + t66));
+    let t61 = fma(-t54, t59, t45 * t58);
+    let t62 = t55 * t57;
+    let t63 = fma(-t49, t59, t32 * t62);
+    let t64 = fma(-t45, t62, t41 * t59);
+    let t65 = fma(-t53, t62, t49 * t58);
+    let t66 = fma(-t41, t58, t54 * t62);
+    let t67 = t60 + t61 + (t63 + t64 + (t65 + t66));
     let t68 = fma(state70, state70, state68 * state68) + fma(state71, state71, state69 * state69);
     let t69 = 1.0 / square_root(t68);
     let t70 = state68 * t69;
@@ -182,13 +182,13 @@ pub fn pendulum_n8_accelerations(
     let t110 = t102 * t109;
     let t111 = t108 * t109;
     let t112 = fma(-t88, t110, t105 * t111);
-    let t113 = t107 * t109;
-    let t114 = fma(-t101, t111, t88 * t113);
-    let t115 = fma(-t105, t113, t101 * t110);
-    let t116 = fma(-t106, t111, t98 * t110);
-    let t117 = fma(-t98, t113, t96 * t111);
-    let t118 = fma(-t96, t110, t106 * t113);
-    let t119 = 3.0 + (t112 + (t114 + t115)) + (t116 + (t117 + t118));
+    let t113 = fma(-t106, t111, t98 * t110);
+    let t114 = t107 * t109;
+    let t115 = fma(-t101, t111, t88 * t114);
+    let t116 = fma(-t98, t114, t96 * t111);
+    let t117 = fma(-t105, t114, t101 * t110);
+    let t118 = fma(-t96, t110, t106 * t114);
+    let t119 = t112 + t113 + (t115 + t116 + (t117 + t118));
     let t120 = fma(state57, state57, state55 * state55) + fma(state58, state58, state56 * state56);
     let t121 = 1.0 / square_root(t120);
     let t122 = state55 * t121;
@@ -234,13 +234,13 @@ pub fn pendulum_n8_accelerations(
     let t162 = t154 * t161;
     let t163 = t160 * t161;
     let t164 = fma(-t140, t162, t157 * t163);
-    let t165 = t159 * t161;
-    let t166 = fma(-t153, t163, t140 * t165);
-    let t167 = fma(-t157, t165, t153 * t162);
-    let t168 = fma(-t158, t163, t150 * t162);
-    let t169 = fma(-t150, t165, t148 * t163);
-    let t170 = fma(-t148, t162, t158 * t165);
-    let t171 = 3.0 + (t164 + (t166 + t167)) + (t168 + (t169 + t170));
+    let t165 = fma(-t158, t163, t150 * t162);
+    let t166 = t159 * t161;
+    let t167 = fma(-t153, t163, t140 * t166);
+    let t168 = fma(-t150, t166, t148 * t163);
+    let t169 = fma(-t157, t166, t153 * t162);
+    let t170 = fma(-t148, t162, t158 * t166);
+    let t171 = t164 + t165 + (t167 + t168 + (t169 + t170));
     let t172 = fma(state44, state44, state42 * state42) + fma(state45, state45, state43 * state43);
     let t173 = 1.0 / square_root(t172);
     let t174 = state42 * t173;
@@ -286,13 +286,13 @@ pub fn pendulum_n8_accelerations(
     let t214 = t206 * t213;
     let t215 = t212 * t213;
     let t216 = fma(-t192, t214, t209 * t215);
-    let t217 = t211 * t213;
-    let t218 = fma(-t205, t215, t192 * t217);
-    let t219 = fma(-t209, t217, t205 * t214);
-    let t220 = fma(-t210, t215, t202 * t214);
-    let t221 = fma(-t202, t217, t200 * t215);
-    let t222 = fma(-t200, t214, t210 * t217);
-    let t223 = 3.0 + (t216 + (t218 + t219)) + (t220 + (t221 + t222));
+    let t217 = fma(-t210, t215, t202 * t214);
+    let t218 = t211 * t213;
+    let t219 = fma(-t205, t215, t192 * t218);
+    let t220 = fma(-t202, t218, t200 * t215);
+    let t221 = fma(-t209, t218, t205 * t214);
+    let t222 = fma(-t200, t214, t210 * t218);
+    let t223 = t216 + t217 + (t219 + t220 + (t221 + t222));
     let t224 = fma(state31, state31, state29 * state29) + fma(state32, state32, state30 * state30);
     let t225 = 1.0 / square_root(t224);
     let t226 = state29 * t225;
@@ -338,13 +338,13 @@ pub fn pendulum_n8_accelerations(
     let t266 = t258 * t265;
     let t267 = t264 * t265;
     let t268 = fma(-t244, t266, t261 * t267);
-    let t269 = t263 * t265;
-    let t270 = fma(-t257, t267, t244 * t269);
-    let t271 = fma(-t261, t269, t257 * t266);
-    let t272 = fma(-t262, t267, t254 * t266);
-    let t273 = fma(-t254, t269, t252 * t267);
-    let t274 = fma(-t252, t266, t262 * t269);
-    let t275 = 3.0 + (t268 + (t270 + t271)) + (t272 + (t273 + t274));
+    let t269 = fma(-t262, t267, t254 * t266);
+    let t270 = t263 * t265;
+    let t271 = fma(-t257, t267, t244 * t270);
+    let t272 = fma(-t254, t270, t252 * t267);
+    let t273 = fma(-t261, t270, t257 * t266);
+    let t274 = fma(-t252, t266, t262 * t270);
+    let t275 = t268 + t269 + (t271 + t272 + (t273 + t274));
     let t276 = fma(state18, state18, state16 * state16) + fma(state19, state19, state17 * state17);
     let t277 = 1.0 / square_root(t276);
     let t278 = state16 * t277;
@@ -390,13 +390,13 @@ pub fn pendulum_n8_accelerations(
     let t318 = t310 * t317;
     let t319 = t316 * t317;
     let t320 = fma(-t296, t318, t313 * t319);
-    let t321 = t315 * t317;
-    let t322 = fma(-t309, t319, t296 * t321);
-    let t323 = fma(-t313, t321, t309 * t318);
-    let t324 = fma(-t314, t319, t306 * t318);
-    let t325 = fma(-t306, t321, t304 * t319);
-    let t326 = fma(-t304, t318, t314 * t321);
-    let t327 = 3.0 + (t320 + (t322 + t323)) + (t324 + (t325 + t326));
+    let t321 = fma(-t314, t319, t306 * t318);
+    let t322 = t315 * t317;
+    let t323 = fma(-t309, t319, t296 * t322);
+    let t324 = fma(-t306, t322, t304 * t319);
+    let t325 = fma(-t313, t322, t309 * t318);
+    let t326 = fma(-t304, t318, t314 * t322);
+    let t327 = t320 + t321 + (t323 + t324 + (t325 + t326));
     let t328 = fma(state5, state5, state3 * state3) + fma(state6, state6, state4 * state4);
     let t329 = 1.0 / square_root(t328);
     let t330 = state3 * t329;
@@ -442,13 +442,13 @@ pub fn pendulum_n8_accelerations(
     let t370 = t362 * t369;
     let t371 = t368 * t369;
     let t372 = fma(-t348, t370, t365 * t371);
-    let t373 = t367 * t369;
-    let t374 = fma(-t361, t371, t348 * t373);
-    let t375 = fma(-t365, t373, t361 * t370);
-    let t376 = fma(-t366, t371, t358 * t370);
-    let t377 = fma(-t358, t373, t356 * t371);
-    let t378 = fma(-t356, t370, t366 * t373);
-    let t379 = 3.0 + (t372 + (t374 + t375)) + (t376 + (t377 + t378));
+    let t373 = fma(-t366, t371, t358 * t370);
+    let t374 = t367 * t369;
+    let t375 = fma(-t361, t371, t348 * t374);
+    let t376 = fma(-t358, t374, t356 * t371);
+    let t377 = fma(-t365, t374, t361 * t370);
+    let t378 = fma(-t356, t370, t366 * t374);
+    let t379 = t372 + t373 + (t375 + t376 + (t377 + t378));
     let t380 = t341 * t344;
     let t381 = t330 * t334;
     let t382 = t380 - t381;
@@ -461,11 +461,11 @@ pub fn pendulum_n8_accelerations(
     let t389 = fma(t385, t387, t388 * t382);
     let t390 = t389 * (1.0 / (t389 * t389));
     let t391 = t382 * t390;
-    let t392 = 1.0 - t384;
-    let t393 = t392 * t390;
-    let t394 = t388 * t390;
-    let t395 = t387 * t390;
-    let t396 = 3.0 + (t391 - t393) + (t394 - t395);
+    let t392 = t387 * t390;
+    let t393 = t388 * t390;
+    let t394 = 1.0 - t384;
+    let t395 = t394 * t390;
+    let t396 = t391 - t392 + (t393 - t395);
     let t397 = t345 - t342;
     let t398 = t351 + t350;
     let t399 = fma(t398, 0.0017500000000000003 * t398, t397 * (0.0001 * t397));
@@ -1169,7 +1169,7 @@ pub fn pendulum_n8_accelerations(
     let t1097 = 1.0 / (t389 * t1096);
     let t1098 = 0.0017500000000000003 * state11;
     let t1099 = 0.0001 * state10;
-    let t1100 = fma(0.025, -9.81 * t392, fma(-state10, t1098, state11 * t1099));
+    let t1100 = fma(0.025, -9.81 * t394, fma(-state10, t1098, state11 * t1099));
     let t1101 = 0.0017500000000000003 * state12;
     let t1102 = fma(-0.025, -9.81 * t352, fma(-state12, t1099, state10 * t1101));
     let t1103 = fma(t398, t1102, t397 * fma(-state11, t1101, state12 * t1098));
@@ -1263,9 +1263,9 @@ pub fn pendulum_n8_accelerations(
     let t1191 = fma(t1187, t1171, t40 * t1179) + fma(-t27, t1190, t52 * t1186);
     let t1192 = (fma(-t33, t1179, t44 * t1169) + fma(t10, t1188, t36 * t1190)) * t1182;
     let t1193 = fma(t1189, t1166, fma(t1191, t1178, t1192));
-    let t1194 = fma(t1184, t64, t1193 * t60);
-    let t1195 = fma(t1184, t66, t1193 * t63);
-    let t1196 = fma(t1184, t65, t1193 * t62);
+    let t1194 = fma(t1184, t61, t1193 * t60);
+    let t1195 = fma(t1184, t66, t1193 * t65);
+    let t1196 = fma(t1184, t64, t1193 * t63);
     let t1197 = 0.1 * state90;
     let t1198 = state88 * t1197;
     let t1199 = t23 - t26;
@@ -1325,9 +1325,9 @@ pub fn pendulum_n8_accelerations(
     let t1253 = fma(t1199, t1237, t95 * t1243) + fma(-t86, t1252, t104 * t1249);
     let t1254 = (fma(-t89, t1243, t97 * t1235) + fma(t77, t1250, t92 * t1252)) * t1246;
     let t1255 = fma(t1251, t1232, fma(t1253, t1242, t1254));
-    let t1256 = fma(t1248, t116, t1255 * t112);
-    let t1257 = fma(t1248, t118, t1255 * t115);
-    let t1258 = fma(t1248, t117, t1255 * t114);
+    let t1256 = fma(t1248, t113, t1255 * t112);
+    let t1257 = fma(t1248, t118, t1255 * t117);
+    let t1258 = fma(t1248, t116, t1255 * t115);
     let t1259 = 0.1 * state77;
     let t1260 = state75 * t1259;
     let t1261 = t82 - t85;
@@ -1387,9 +1387,9 @@ pub fn pendulum_n8_accelerations(
     let t1315 = fma(t1261, t1299, t147 * t1305) + fma(-t138, t1314, t156 * t1311);
     let t1316 = fma(-t141, t1305, t149 * t1297) + fma(t129, t1312, t144 * t1314);
     let t1317 = fma(t1313, t1294, fma(t1315, t1304, t1316 * t1308));
-    let t1318 = fma(t1310, t168, t1317 * t164);
-    let t1319 = fma(t1310, t170, t1317 * t167);
-    let t1320 = fma(t1310, t169, t1317 * t166);
+    let t1318 = fma(t1310, t165, t1317 * t164);
+    let t1319 = fma(t1310, t170, t1317 * t169);
+    let t1320 = fma(t1310, t168, t1317 * t167);
     let t1321 = 0.1 * state64;
     let t1322 = state62 * t1321;
     let t1323 = t134 - t137;
@@ -1449,9 +1449,9 @@ pub fn pendulum_n8_accelerations(
     let t1377 = fma(t1323, t1361, t199 * t1367) + fma(-t190, t1376, t208 * t1373);
     let t1378 = fma(-t193, t1367, t201 * t1359) + fma(t181, t1374, t196 * t1376);
     let t1379 = fma(t1375, t1356, fma(t1377, t1366, t1378 * t1370));
-    let t1380 = fma(t1372, t220, t1379 * t216);
-    let t1381 = fma(t1372, t222, t1379 * t219);
-    let t1382 = fma(t1372, t221, t1379 * t218);
+    let t1380 = fma(t1372, t217, t1379 * t216);
+    let t1381 = fma(t1372, t222, t1379 * t221);
+    let t1382 = fma(t1372, t220, t1379 * t219);
     let t1383 = 0.1 * state51;
     let t1384 = state49 * t1383;
     let t1385 = t186 - t189;
@@ -1511,9 +1511,9 @@ pub fn pendulum_n8_accelerations(
     let t1439 = fma(t1385, t1423, t251 * t1429) + fma(-t242, t1438, t260 * t1435);
     let t1440 = fma(-t245, t1429, t253 * t1421) + fma(t233, t1436, t248 * t1438);
     let t1441 = fma(t1437, t1418, fma(t1439, t1428, t1440 * t1432));
-    let t1442 = fma(t1434, t272, t1441 * t268);
-    let t1443 = fma(t1434, t274, t1441 * t271);
-    let t1444 = fma(t1434, t273, t1441 * t270);
+    let t1442 = fma(t1434, t269, t1441 * t268);
+    let t1443 = fma(t1434, t274, t1441 * t273);
+    let t1444 = fma(t1434, t272, t1441 * t271);
     let t1445 = 0.1 * state38;
     let t1446 = state36 * t1445;
     let t1447 = t238 - t241;
@@ -1573,9 +1573,9 @@ pub fn pendulum_n8_accelerations(
     let t1501 = fma(t1447, t1485, t303 * t1491) + fma(-t294, t1500, t312 * t1497);
     let t1502 = fma(-t297, t1491, t305 * t1483) + fma(t285, t1498, t300 * t1500);
     let t1503 = fma(t1499, t1480, fma(t1501, t1490, t1502 * t1494));
-    let t1504 = fma(t1496, t324, t1503 * t320);
-    let t1505 = fma(t1496, t326, t1503 * t323);
-    let t1506 = fma(t1496, t325, t1503 * t322);
+    let t1504 = fma(t1496, t321, t1503 * t320);
+    let t1505 = fma(t1496, t326, t1503 * t325);
+    let t1506 = fma(t1496, t324, t1503 * t323);
     let t1507 = 0.1 * state25;
     let t1508 = state23 * t1507;
     let t1509 = t290 - t293;
@@ -1616,7 +1616,7 @@ pub fn pendulum_n8_accelerations(
     let t1544 = t381 - t380;
     let t1545 = fma(state12, t346, fma(state11, t1544, state10 * t1077));
     let t1546 = fma(t337, t1545, t346 * t1541);
-    let t1547 = fma(state12, t352, fma(state11, t392, state10 * t388));
+    let t1547 = fma(state12, t352, fma(state11, t394, state10 * t388));
     let t1548 = fma(t363, t1541, t364 * t1547);
     let t1549 = t359 - 1.0;
     let t1550 = fma(t1549, t1479, t347 * t1484);
@@ -1636,11 +1636,11 @@ pub fn pendulum_n8_accelerations(
     let t1564 = fma(t1509, t1548, t355 * t1554) + fma(-t346, t1563, t364 * t1560);
     let t1565 = fma(-t349, t1554, t357 * t1546) + fma(t337, t1561, t352 * t1563);
     let t1566 = fma(t1562, t1542, fma(t1564, t1553, t1565 * t1557));
-    let t1567 = fma(t1559, t376, t1566 * t372);
+    let t1567 = fma(t1559, t373, t1566 * t372);
     let t1568 = t1061 * t1074;
-    let t1569 = fma(t1559, t378, t1566 * t375);
+    let t1569 = fma(t1559, t378, t1566 * t377);
     let t1570 = t1073 * t1074;
-    let t1571 = fma(t1559, t377, t1566 * t374);
+    let t1571 = fma(t1559, t376, t1566 * t375);
     let t1572 = 0.1 * state12;
     let t1573 = state10 * t1572;
     let t1574 = 0.1 * state11;
@@ -1650,7 +1650,7 @@ pub fn pendulum_n8_accelerations(
     let t1578 = fma(t1046, t367, fma(-(t1079 + t1053), t368, (t1033 + t1058) * t362));
     let t1579 = t1578 * t1074;
     let t1580 = fma(t346, t1573, fma(t387, t1575, t1544 * t1576));
-    let t1581 = fma(t352, t1573, fma(-t388, t1575, t392 * t1576));
+    let t1581 = fma(t352, t1573, fma(-t388, t1575, t394 * t1576));
     let t1582 = fma(t1577, fma(-t1032, t1579, t1002 + (t1024 - t1013)), fma(-t1580, t1076, t1581 * t1084));
     let t1583 = fma(-fma(-t1032, t1568, t1016), t1569, fma(-fma(-t1032, t1570, t1031), t1571, t1582));
     let t1584 = 0.025 * state25;
@@ -1666,7 +1666,7 @@ pub fn pendulum_n8_accelerations(
     let t1594 = fma(-fma(-t1082, t1568, t1014), t1569, fma(fma(t1082, t1570, t1081), t1571, t1593));
     let t1595 = fma(-t400, t1589 - fma(t1089, t1567, t1591), t1078 * (t1592 + fma(t1093, t1567, -t1594)));
     let t1596 = fma(-t1032, t1540, t1530) + fma(t1086, t1567, -t1583) + t1595;
-    let t1597 = fma(t398, 0.0017500000000000003 * t392, t397 * (0.0001 * t388));
+    let t1597 = fma(t398, 0.0017500000000000003 * t394, t397 * (0.0001 * t388));
     let t1598 = fma(-t1061, t1075, t1035 + (t1038 + fma(t973, t1044, t1008)));
     let t1599 = fma(t1078, fma(-t1061, t1083, t1039 + (t1043 - t1025)), fma(-t1061, t1085, t1048));
     let t1600 = fma(-t1078, fma(t1578, t1083, t1042), fma(-t1578, t1085, t1046));
@@ -1675,12 +1675,12 @@ pub fn pendulum_n8_accelerations(
     let t1603 = fma(t364, 0.0017500000000000003 * t352, t1597) + (fma(-t400, t1598, t1599) - fma(t1078, t1601, t1602 * t1090));
     let t1604 = fma(t1547, fma(-t388, t1541, t397 * t1547), t1545 * fma(t387, t1541, t397 * t1545));
     let t1605 = fma(t1547, fma(t385, t1541, t398 * t1547), t1545 * fma(t382, t1541, t398 * t1545));
-    let t1606 = fma(-t1604, t393, t1605 * t394);
+    let t1606 = fma(-t1604, t395, t1605 * t393);
     let t1607 = fma(t398, 0.0017500000000000003 * t1544, t397 * (0.0001 * t1077));
     let t1608 = fma(-t1078, fma(t1073, t1083, t1035 + (t1063 + fma(t402, t1042, t1028))), fma(-t1073, t1085, t1066));
     let t1609 = fma(-t400, fma(-t1073, t1075, t1062 + (t1011 - t1045)), t1608);
     let t1610 = fma(t364, 0.0017500000000000003 * t346, t1607) + (t1609 + fma(-t1602, t1094, t400 * t1601));
-    let t1611 = fma(-t1605, t395, t1604 * t391);
+    let t1611 = fma(-t1605, t392, t1604 * t391);
     let t1612 = fma(t389, fma(t364, t1100, t1103) + t1596, -fma(t1603 * t389, t1606, t1610 * t389 * t1611));
     let t1613 = t389 * (t1097 * t1612);
     let t1614 = t1606 - t1569;
@@ -1804,7 +1804,7 @@ pub fn pendulum_n8_accelerations(
     let t1732 = 2.0 * fma(-t14, t1727, t13 * t1728);
     *accelerations = [
         0.0, 0.0, 0.0, fma(t397, t1613, fma(t388, t1606, t1077 * t1611)),
-        fma(t398, t1613, fma(t392, t1606, t1544 * t1611)),
+        fma(t398, t1613, fma(t394, t1606, t1544 * t1611)),
         fma(t364, t1613, fma(t352, t1606, t346 * t1611)),
         t1691 + fma(t289, t1694, fma(-t291, t1695, t281 * t1696)),
         t1692 + fma(t289, t1695, fma(-t278, t1696, t291 * t1694)),
@@ -1849,28 +1849,28 @@ pub fn pendulum_n8_accelerations(
         fma(t31, t1688, fma(t48, t1689, t21 * t1690)),
         fma(t413, t1688, fma(t415, t1689, t420 * t1690)),
     ];
-    (t67).is_finite()
-        & (t434).is_finite()
+    (t434).is_finite()
         & (t434 != 0.0_f64)
-        & (t119).is_finite()
+        & (t67).is_finite()
         & (t538).is_finite()
         & (t538 != 0.0_f64)
-        & (t171).is_finite()
+        & (t119).is_finite()
         & (t646).is_finite()
         & (t646 != 0.0_f64)
-        & (t223).is_finite()
+        & (t171).is_finite()
         & (t754).is_finite()
         & (t754 != 0.0_f64)
-        & (t275).is_finite()
+        & (t223).is_finite()
         & (t862).is_finite()
         & (t862 != 0.0_f64)
-        & (t327).is_finite()
+        & (t275).is_finite()
         & (t970).is_finite()
         & (t970 != 0.0_f64)
-        & (t379).is_finite()
+        & (t327).is_finite()
         & (t1074).is_finite()
         & (t1074 != 0.0_f64)
-        & (t396).is_finite()
+        & (t379).is_finite()
         & (t1097).is_finite()
         & (t1097 != 0.0_f64)
+        & (t396).is_finite()
 }
