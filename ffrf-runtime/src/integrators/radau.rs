@@ -20,9 +20,9 @@
 //!
 //! In a sweep that is the Newton iteration with T for A. The error that it leaves of a stiff part is gone after s sweeps (I - U is
 //! strictly triangular); of a vibration it is multiplied by at most 0.38 (s = 3) or 0.51 (s = 4) per sweep, whatever h ω, and
-//! of what J does not hold by O(h). Where J holds a stiff part but for a share ε, it is about ε^(1/s): a damper at a flexible body
-//! that turns with Ω has ε = γ h Ω, and such steps take ten sweeps and more. Sweeps begin with k = 0: from five (s = 3) or eight
-//! (s = 4) on the result is stable for every h ω also where the iteration is not at its end.
+//! of what J does not hold by O(h): ten digits of a body that turns by a twentieth of a turn per step take twenty sweeps and
+//! more. Sweeps begin with k = 0: from five (s = 3) or eight (s = 4) on the result is stable for every h ω also where the
+//! iteration is not at its end.
 //!
 //! Sources: Hairer, Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8 (methods), VI.3 (stiff parts); van der
 //! Houwen, de Swart, Triangularly implicit iteration methods for ODE-IVP solvers, SIAM J. Sci. Comput. 18 (1997) 41-55 (T).
