@@ -25,11 +25,15 @@ pub enum Integrator {
     EnergyMomentum,
     /// Exponential, order 2, of modes that no joint holds.
     Exponential,
+    /// Radau IIA with three stages, order 5.
+    Radau5,
+    /// Radau IIA with four stages, order 7.
+    Radau7,
 }
 
 impl Integrator {
     /// All with their names.
-    pub const ALL: [(&'static str, Self); 8] = [
+    pub const ALL: [(&'static str, Self); 10] = [
         ("symplectic_euler", Self::SymplecticEuler),
         ("rk4", Self::Rk4),
         ("dopri5", Self::Dopri5),
@@ -38,6 +42,8 @@ impl Integrator {
         ("generalized_alpha", Self::GeneralizedAlpha),
         ("energy_momentum", Self::EnergyMomentum),
         ("exponential", Self::Exponential),
+        ("radau5", Self::Radau5),
+        ("radau7", Self::Radau7),
     ];
 
     /// Its name in scene files.
@@ -54,7 +60,9 @@ impl Integrator {
     pub fn treatments(self) -> &'static [&'static str] {
         match self {
             Self::SymplecticEuler | Self::Rk4 | Self::Dopri5 => &["projection", "baumgarte", "minimal"],
-            Self::LinearlyImplicit | Self::LinearlyImplicitEuler => &["projection", "baumgarte"],
+            Self::LinearlyImplicit | Self::LinearlyImplicitEuler | Self::Radau5 | Self::Radau7 => {
+                &["projection", "baumgarte"]
+            }
             Self::GeneralizedAlpha => &["ggl", "index3", "projection", "baumgarte"],
             Self::EnergyMomentum => &["index3"],
             Self::Exponential => &["projection"],

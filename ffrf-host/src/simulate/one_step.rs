@@ -2,9 +2,9 @@
 
 use ffrf_runtime::mechanism::Constrained;
 use ffrf_runtime::{
-    AlphaMemory, EnergyMomentum, GeneralisedAlpha, State, StepError, StepReport, System, Tolerances,
-    step_dormand_prince, step_exponential, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
-    step_symplectic_euler,
+    AlphaMemory, EnergyMomentum, GeneralisedAlpha, RadauIIA, State, StepError, StepReport, System,
+    Tolerances, step_dormand_prince, step_exponential, step_linearly_implicit, step_linearly_implicit_euler,
+    step_rk4, step_symplectic_euler,
 };
 
 use nalgebra::{RealField, convert};
@@ -53,6 +53,8 @@ pub(crate) fn step_in_space<T: RealField + Copy>(
         }
         Integrator::EnergyMomentum => EnergyMomentum::new().step(system, state, time, step),
         Integrator::Exponential => step_exponential(system, state, time, step),
+        Integrator::Radau5 => RadauIIA::order_five().step(system, state, time, step),
+        Integrator::Radau7 => RadauIIA::order_seven().step(system, state, time, step),
     }
 }
 

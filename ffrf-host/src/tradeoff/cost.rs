@@ -68,6 +68,8 @@ pub(super) fn evaluations_per_step(integrator: Integrator, iterations: f64) -> f
         Integrator::Dopri5 => 7.0,
         Integrator::LinearlyImplicit | Integrator::Exponential => 2.0,
         Integrator::GeneralizedAlpha | Integrator::EnergyMomentum => iterations.max(1.0),
+        Integrator::Radau5 => 3.0 * iterations.max(1.0),
+        Integrator::Radau7 => 4.0 * iterations.max(1.0),
     }
 }
 

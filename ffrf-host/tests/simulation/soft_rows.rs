@@ -8,7 +8,7 @@ use ffrf_runtime::forces::{Bushing, Effort, Friction, Spring, TorsionSpring};
 use ffrf_runtime::joints::{Fixed, JointKind};
 use ffrf_runtime::mechanism::{Assembly, Attachment, Connection, Constrained, Treatment};
 use ffrf_runtime::{
-    FreeBody, GeneralisedAlpha, State, Tolerances, step_dormand_prince, step_linearly_implicit,
+    FreeBody, GeneralisedAlpha, RadauIIA, State, Tolerances, step_dormand_prince, step_linearly_implicit,
     step_linearly_implicit_euler,
 };
 use nalgebra::Vector3;
@@ -109,6 +109,21 @@ fn linearly_implicit_euler_has_order_one_with_soft_rows() {
         run(mechanism, state, steps, &mut |state, time, h| {
             step_linearly_implicit_euler(&system, state, time, h)
         })
+    });
+}
+
+#[test]
+fn radau_methods_have_orders_five_and_seven_with_soft_rows() {
+    let tolerances = Tolerances { relative: 1e-14, absolute: 1e-15 };
+    assert_order("Radau IIA, 3 stages", PROJECTION, 40, 5.0, |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        let method = RadauIIA { tolerances, iterations: 40, ..RadauIIA::order_five() };
+        run(mechanism, state, steps, &mut |state, time, h| method.step(&system, state, time, h))
+    });
+    assert_order("Radau IIA, 4 stages", PROJECTION, 20, 7.0, |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        let method = RadauIIA { tolerances, iterations: 40, ..RadauIIA::order_seven() };
+        run(mechanism, state, steps, &mut |state, time, h| method.step(&system, state, time, h))
     });
 }
 

@@ -7,6 +7,7 @@ mod exponential;
 mod generalised_alpha;
 mod linearly_implicit;
 mod linearly_implicit_euler;
+mod radau;
 mod runge_kutta;
 mod step;
 mod symplectic_euler;
@@ -22,6 +23,7 @@ pub use exponential::{Exponential, ExponentialSystem, Forcing, step_exponential}
 pub use generalised_alpha::{AlphaMemory, GeneralisedAlpha};
 pub use linearly_implicit::step_linearly_implicit;
 pub use linearly_implicit_euler::step_linearly_implicit_euler;
+pub use radau::{RadauCoefficients, RadauIIA};
 pub use runge_kutta::step_rk4;
 pub use step::{Drift, LocalError, StepError, StepReport, Tolerances};
 pub use symplectic_euler::step_symplectic_euler;

@@ -4,7 +4,7 @@
 use ffrf_runtime::nalgebra::{Vector1, Vector2, Vector3};
 use ffrf_runtime::{
     EnergyMomentum, FlexibleBody, FreeBody, FreeSystem, GeneralisedAlpha, Gravity, ModalMatrix, Prepared,
-    State, StepError, Tolerances, step_exponential, step_linearly_implicit_euler, step_rk4,
+    RadauIIA, State, StepError, Tolerances, step_exponential, step_linearly_implicit_euler, step_rk4,
 };
 use ffrf_test_kit::bodies::cloud;
 use ffrf_test_kit::convergence::measured_order;
@@ -106,19 +106,48 @@ fn orders_of_free_bodies_are_two() {
 }
 
 #[test]
+fn radau_methods_have_orders_five_and_seven_on_free_bodies() {
+    let gravity = Gravity { acceleration: Vector3::new(0.3, 0.0, -9.81) };
+    let start = body(200.0, 0.5);
+    let system = FreeSystem { body: &start.body, load: &gravity };
+    let tolerances = Tolerances { relative: 1e-14, absolute: 1e-15 };
+    let (five, seven) = (
+        RadauIIA { iterations: 40, tolerances, ..RadauIIA::order_five() },
+        RadauIIA { iterations: 40, tolerances, ..RadauIIA::order_seven() },
+    );
+    let run = |steps: usize, seventh: bool| {
+        let h = 1.0 / steps as f64;
+        (0..steps).fold(start.state, |state, k| {
+            let time = k as f64 * h;
+            let next = match seventh {
+                true => seven.step(&system, &state, time, h),
+                false => five.step(&system, &state, time, h),
+            };
+            next.unwrap().0
+        })
+    };
+    let exact = run(400, true);
+    let order = measured_order(50, 2, |steps| difference(&run(steps, false), &exact));
+    assert!((order - 5.0).abs() < SLOPE, "{order}");
+    let order = measured_order(20, 2, |steps| difference(&run(steps, true), &exact));
+    assert!((order - 7.0).abs() < SLOPE, "{order}");
+}
+
+#[test]
 fn stiff_modes_do_not_limit_the_step() {
     // frequencies of 1e5 rad/s and more at a step of 0.01 s
     let start = FreeBody::new(cloud::<2, 8>(7, 1e10, 0.0).0).with_spin(Vector3::new(1.0, 2.0, -0.5));
     let system = FreeSystem { body: &start.body, load: &() };
     let method = GeneralisedAlpha::new();
     let mut memory = method.start(&system, &start.state, 0.0, 0.01).unwrap();
-    let (mut alpha, mut euler) = (start.state, start.state);
+    let (mut alpha, mut euler, mut radau) = (start.state, start.state, start.state);
     for _ in 0..500 {
         alpha = method.step(&system, &mut memory, &alpha, 0.0, 0.01).unwrap().0;
         euler = step_linearly_implicit_euler(&system, &euler, 0.0, 0.01).unwrap().0;
+        radau = RadauIIA::order_seven().step(&system, &radau, 0.0, 0.01).unwrap().0;
     }
     let energy = start.kinetic_energy();
-    for (name, state, allowed) in [("alpha", alpha, 0.01), ("euler", euler, 0.1)] {
+    for (name, state, allowed) in [("alpha", alpha, 0.01), ("euler", euler, 0.1), ("radau", radau, 1e-6)] {
         let change = (start.with_state(state).kinetic_energy() - energy).abs() / energy;
         eprintln!("{name}: {change:e}");
         assert!(change < allowed, "{name}: {change}");
@@ -145,6 +174,13 @@ fn a_step_that_cannot_be_solved_is_refused_with_what_is_left() {
         Err(StepError::NotConverged { iterations: 1, .. })
     ));
     assert_eq!(memory, before);
+    let method = RadauIIA { iterations: 2, ..RadauIIA::order_five() };
+    assert!(matches!(
+        method.step(&system, &start.state, 0.0, 0.02),
+        Err(StepError::NotConverged { iterations: 2, residual }) if residual > 1.0
+    ));
+    let wild = RadauIIA::order_seven().step(&system, &start.state, 0.0, 40.0);
+    assert!(wild.is_err(), "{wild:?}");
 }
 
 /// A body whose one mode has a diagonal mass, as one number is.

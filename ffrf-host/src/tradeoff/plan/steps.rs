@@ -63,7 +63,8 @@ fn order(integrator: Integrator) -> f64 {
         | Integrator::EnergyMomentum
         | Integrator::Exponential => 2.0,
         Integrator::Rk4 => 4.0,
-        Integrator::Dopri5 => 5.0,
+        Integrator::Dopri5 | Integrator::Radau5 => 5.0,
+        Integrator::Radau7 => 7.0,
     }
 }
 

@@ -10,7 +10,7 @@ use ffrf_host::HostMechanism;
 use ffrf_host::mechanism::JointCoordinates;
 use ffrf_runtime::mechanism::{Constrained, Treatment};
 use ffrf_runtime::{
-    EnergyMomentum, GeneralisedAlpha, Tolerances, step_dormand_prince, step_linearly_implicit,
+    EnergyMomentum, GeneralisedAlpha, RadauIIA, Tolerances, step_dormand_prince, step_linearly_implicit,
     step_linearly_implicit_euler, step_rk4, step_symplectic_euler,
 };
 use problem::{Blocks, DURATION, PROJECTION, SLOPE, States, blocks, differences, double_pendulum, run};
@@ -137,6 +137,21 @@ fn baumgartes_method_keeps_the_order_with_fixed_gains_alone() {
         let (mechanism, _) = double_pendulum(baumgarte(0.5 * steps as f64 / DURATION), true);
         let system = Constrained(&mechanism);
         run(&mechanism, state, steps, &mut |state, time, h| step_rk4(&system, state, time, h))
+    });
+}
+
+#[test]
+fn radau_methods_have_orders_five_and_seven() {
+    let tolerances = Tolerances { relative: 1e-14, absolute: 1e-15 };
+    assert_orders("Radau IIA, 3 stages", PROJECTION, [20, 2], [5.0; 3], |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        let method = RadauIIA { tolerances, iterations: 40, ..RadauIIA::order_five() };
+        run(mechanism, state, steps, &mut |state, time, h| method.step(&system, state, time, h))
+    });
+    assert_orders("Radau IIA, 4 stages", PROJECTION, [10, 2], [7.0; 3], |mechanism, state, steps| {
+        let system = Constrained(mechanism);
+        let method = RadauIIA { tolerances, iterations: 40, ..RadauIIA::order_seven() };
+        run(mechanism, state, steps, &mut |state, time, h| method.step(&system, state, time, h))
     });
 }
 

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use ffrf::mechanism::{Assembly, Constrained, Mechanism};
 use ffrf::{
-    GeneralisedAlpha, StepError, Tolerances, step_dormand_prince, step_linearly_implicit, step_rk4,
+    GeneralisedAlpha, RadauIIA, StepError, Tolerances, step_dormand_prince, step_linearly_implicit, step_rk4,
     try_dormand_prince,
 };
 
@@ -129,6 +129,23 @@ fn simulate<A: Assembly<f64>>(
             }
             Ok(tries)
         }
-        _ => Err(StepError::StepSize { found: f64::NAN }),
+        method => {
+            // `radau5_TOLERANCE`, `radau7_TOLERANCE`: what may be left of the iteration, relative to each component
+            let Some((method, tolerance)) = method.split_once('_') else {
+                return Err(StepError::StepSize { found: f64::NAN });
+            };
+            let relative = tolerance.parse().map_err(|_| StepError::StepSize { found: f64::NAN })?;
+            let tolerances = Tolerances { relative, absolute: relative * 1e-3 };
+            match method {
+                "radau5" => {
+                    let method = RadauIIA { tolerances, ..RadauIIA::order_five() };
+                    fixed(&mut |state, time, h| Ok(method.step(&system, state, time, h)?.0))
+                }
+                _ => {
+                    let method = RadauIIA { tolerances, ..RadauIIA::order_seven() };
+                    fixed(&mut |state, time, h| Ok(method.step(&system, state, time, h)?.0))
+                }
+            }
+        }
     }
 }
