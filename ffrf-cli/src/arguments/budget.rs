@@ -59,6 +59,9 @@ pub struct Budget {
     /// Which step is counted.
     #[arg(long, default_value = "rk4")]
     pub integrator: TargetIntegrator,
+    /// Accelerations of a scene in straight-line code, as `ffrf generate SCENE` prints them: f64, explicit methods.
+    #[arg(long)]
+    pub straight_line: bool,
     /// Its size (s); half of the largest stable one for rk4, one millisecond else, or what a scene says.
     #[arg(long, value_name = "SECONDS")]
     pub step: Option<f64>,

@@ -34,6 +34,7 @@ pub(crate) fn configuration_on_target(
         integrator,
         step: Some(one.step),
         layout_tolerance: DEFAULT_LAYOUT_TOLERANCE,
+        straight_line: false,
     };
     step_on_target(&program, core, workshop)
 }

@@ -10,10 +10,16 @@ use ffrf_host::scene::{ModesValue, Scene};
 /// The type of each body: `None` where numbers in the macro say everything.
 pub type BodyTypes = [Option<String>];
 
-/// The invocation of the macro that makes `pub struct Model` of the scene.
+/// The invocation of the macro that makes `pub struct Model` of the scene. `accelerations`: a function beside it that gives them.
 ///
 /// Errors: something in the scene has no counterpart in the macro.
-pub fn invocation(file: &SceneFile, scene: &Scene, types: &BodyTypes, scalar: &str) -> Result<String> {
+pub fn invocation(
+    file: &SceneFile,
+    scene: &Scene,
+    types: &BodyTypes,
+    scalar: &str,
+    accelerations: Option<&str>,
+) -> Result<String> {
     let writer = Writer { file, scene };
     let mut text =
         String::from("ffrf::mechanism! {\n    /// The scene.\n    pub struct Model {\n        bodies: {\n");
@@ -60,7 +66,11 @@ pub fn invocation(file: &SceneFile, scene: &Scene, types: &BodyTypes, scalar: &s
     for (number, (name, table)) in file.forces.iter().enumerate() {
         let _ = writeln!(text, "            force_{number}: {},", writer.force(name, table)?);
     }
-    let _ = writeln!(text, "        }},\n        scalar: {scalar},\n    }}\n}}");
+    text.push_str("        },\n");
+    if let Some(function) = accelerations {
+        let _ = writeln!(text, "        accelerations: crate::{function},");
+    }
+    let _ = writeln!(text, "        scalar: {scalar},\n    }}\n}}");
     Ok(text)
 }
 
@@ -205,7 +215,8 @@ mod tests {
     fn a_scene_is_written_as_the_macro_wants_it() {
         let path = models("slider_crank.toml");
         let (file, scene) = (SceneFile::read(&path).unwrap(), Scene::read(&path).unwrap());
-        let text = invocation(&file, &scene, &[None, Some("Body0".to_owned()), None], "f32").unwrap();
+        let text =
+            invocation(&file, &scene, &[None, Some("Body0".to_owned()), None], "f32", Some("ahead")).unwrap();
         for line in [
             "body_0: rigid { mass: 0.5, center_of_mass: [0.01, 0.0, 0.0], inertia: [[0.0002, 0.0, 0.0], ",
             "body_1: Body0,",
@@ -214,6 +225,7 @@ mod tests {
             "joint_2: spherical(body_1.SMALL_END, body_2),",
             "drive_0: angle(joint_0, polynomial: [0.0, 100.0]),",
             "gravity: [0.0, 0.0, -9.81],",
+            "accelerations: crate::ahead,",
             "scalar: f32,",
         ] {
             assert!(text.contains(line), "{line} in\n{text}");
@@ -225,7 +237,8 @@ mod tests {
         let path = models("slider_crank.toml");
         let text = std::fs::read_to_string(&path).unwrap().replace("[0.0, 100.0] }", "\"100 * t\" }");
         let (file, scene) = (SceneFile::parse(&text).unwrap(), Scene::read(&path).unwrap());
-        let error = invocation(&file, &scene, &[None, Some("Body0".to_owned()), None], "f64").unwrap_err();
+        let error =
+            invocation(&file, &scene, &[None, Some("Body0".to_owned()), None], "f64", None).unwrap_err();
         assert!(error.to_string().contains("joints.main.drive: expected a polynomial"), "{error}");
     }
 }

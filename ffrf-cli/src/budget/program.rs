@@ -3,10 +3,11 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use ffrf_codegen::{FusedMultiplyAdd, GenerateOptions, ScalarType};
+use anyhow::{Context, Result, bail};
+use ffrf_codegen::{FusedMultiplyAdd, GenerateOptions, ScalarType, generate_array_function};
 use ffrf_host::scene::Scene;
 use ffrf_host::scene::file::{FidelityValue, SceneFile};
+use ffrf_host::straight_line::accelerations;
 use ffrf_model::{ModeSelection, ReducedBody};
 
 use super::mechanism_code;
@@ -41,6 +42,9 @@ fn options(name: &str, scalar: ScalarType, layout_tolerance: f64) -> GenerateOpt
 
 /// A single body.
 pub fn body(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
+    if arguments.straight_line {
+        bail!("--straight-line with a model: expected a scene");
+    }
     let Budget { file: path, modes, integrator, step, .. } = arguments;
     let (modes, integrator, step) = (*modes, *integrator, *step);
     let model = ReducedBody::read(path)?;
@@ -86,6 +90,8 @@ pub struct MechanismProgram<'a> {
     pub step: Option<f64>,
     /// See [`GenerateOptions`].
     pub layout_tolerance: f64,
+    /// Whether its accelerations are straight-line code.
+    pub straight_line: bool,
 }
 
 /// A mechanism.
@@ -93,13 +99,19 @@ pub fn scene(arguments: &Budget, scalar: ScalarType) -> Result<Subject> {
     let Budget { file: path, integrator, step, layout_tolerance, .. } = arguments;
     let file = SceneFile::read(path)?;
     mechanism(&MechanismProgram {
-        title: format!("{}, {}", path.display(), method(*integrator)),
+        title: format!(
+            "{}, {}{}",
+            path.display(),
+            method(*integrator),
+            if arguments.straight_line { ", accelerations in straight-line code" } else { "" }
+        ),
         file: &file,
         folder: path.parent().unwrap_or_else(|| Path::new("")),
         scalar,
         integrator: *integrator,
         step: *step,
         layout_tolerance: *layout_tolerance,
+        straight_line: arguments.straight_line,
     })
 }
 
@@ -134,7 +146,17 @@ pub fn mechanism(program: &MechanismProgram<'_>) -> Result<Subject> {
         made.push((key, type_name.clone()));
         types.push(Some(type_name));
     }
-    library.push_str(&mechanism_code::invocation(file, &scene, &types, name)?);
+    let function = program.straight_line.then_some("straight_line_accelerations");
+    library.push_str(&mechanism_code::invocation(file, &scene, &types, name, function)?);
+    if let Some(function) = function {
+        if scalar != ScalarType::F64 || integrator != TargetIntegrator::RungeKutta {
+            bail!(
+                "--straight-line: expected --scalar f64 and --integrator rk4, which asks for accelerations"
+            );
+        }
+        let code = generate_array_function(&accelerations(&scene, function)?, &GenerateOptions::default())?;
+        library.push_str(&code.text);
+    }
     let mut set = String::new();
     for (number, state) in scene.assembled()?.0.iter().enumerate() {
         let body = format!("state.body_{number}");

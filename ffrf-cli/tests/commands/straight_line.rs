@@ -10,11 +10,10 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
 }
 
-/// Runs `ffrf generate` in a folder of the repository, from where the calls that it prints are to stand.
-fn generate(folder: &str, words: &str) -> Run {
+/// Runs a command in a folder of the repository, from where the calls that it prints are to stand.
+fn run(folder: &str, words: &str) -> Run {
     let output = Command::new(env!("CARGO_BIN_EXE_ffrf"))
         .current_dir(root().join(folder))
-        .arg("generate")
         .args(words.split_whitespace())
         .output()
         .unwrap();
@@ -36,8 +35,12 @@ fn what_is_printed_is_what_is_compiled() {
         (benches, "scenes/pendulum_n8.toml", "../../tests/golden/straight_pendulum_n8.rs"),
     ];
     for (folder, words, file) in committed {
-        let text = generate(folder, words).succeeded();
-        assert_eq!(text, generate(folder, words).succeeded(), "{words}: the same text each time");
+        let text = run(folder, &format!("generate {words}")).succeeded();
+        assert_eq!(
+            text,
+            run(folder, &format!("generate {words}")).succeeded(),
+            "{words}: the same text each time"
+        );
         let golden = root().join(folder).join(file);
         if std::env::var_os("FFRF_UPDATE_GOLDEN").is_some() {
             std::fs::write(&golden, &text).unwrap();
@@ -58,6 +61,16 @@ fn what_straight_line_code_cannot_have_is_refused() {
         ("models/scenes/flexible_rotor.toml".to_owned(), ["forces.motor", "expected a scene without it"]),
         ("models/scenes/crane.toml".to_owned(), ["atan2", "a scene without torsion springs"]),
     ] {
-        generate("", &words).failed(1, &parts);
+        run("", &format!("generate {words}")).failed(1, &parts);
+    }
+    for (words, parts) in [
+        ("models/conrod.ffrf.json", ["--straight-line", "expected a scene"]),
+        ("models/scenes/slider_crank.toml --scalar f32", ["--straight-line", "expected --scalar f64"]),
+        (
+            "models/scenes/slider_crank.toml --scalar f64 --integrator linearly_implicit",
+            ["--straight-line", "--integrator rk4"],
+        ),
+    ] {
+        run("", &format!("budget --straight-line --target cortex-m7 {words}")).failed(1, &parts);
     }
 }
