@@ -12,6 +12,7 @@
 //! ```
 //! use ffrf_codegen::expression::Symbol;
 //! use ffrf_trace::{Traced, record};
+//! use nalgebra::ComplexField;
 //!
 //! let (root, tape) = record(|| {
 //!     let x = Traced::input(Symbol::Intermediate("x", 0), 2.0);
