@@ -66,13 +66,8 @@ fn mechanism(arguments: &Generate, path: &Path, options: GenerateOptions) -> Res
         return straight_line::run(arguments, path, options);
     }
     refuse_of_scenes(arguments)?;
-    for (is_given, what, where_) in [
-        (arguments.fma == FusedMultiplyAdd::On, "--fma on", "auto or off"),
-        (arguments.strategy == Strategy::Lanes, "--strategy lanes", "auto or straight_line"),
-    ] {
-        if is_given {
-            bail!("{what} with a scene: expected {where_}");
-        }
+    if arguments.fma == FusedMultiplyAdd::On {
+        bail!("--fma on with a scene: expected auto or off");
     }
     let name = arguments.name.clone().unwrap_or_else(|| "Mechanism".to_owned());
     let options = GenerateOptions { name, ..options };
@@ -90,6 +85,7 @@ fn refuse_of_scenes(arguments: &Generate) -> Result<()> {
         (arguments.modes.is_some(), "--modes", "`modes` of the bodies in the scene"),
         (arguments.fidelity != Fidelity::default(), "--fidelity", "`fidelity` of the bodies in the scene"),
         (arguments.jacobians, "--jacobians", "none: a step needs no Jacobians"),
+        (arguments.strategy == Strategy::Lanes, "--strategy lanes", "auto or straight_line"),
     ] {
         if is_given {
             bail!("{what} with a scene: expected {where_}");

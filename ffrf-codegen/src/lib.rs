@@ -40,6 +40,7 @@ mod validate;
 
 pub use array_function::{ArrayFunction, ArrayInput, Call, Condition, Function, Relation};
 pub use counts::OperationCounts;
+pub use emit::snake_case;
 pub use error::CodegenError;
 pub use fidelity::Fidelity;
 pub use generate::{GeneratedC, GeneratedCode, generate, generate_c, generate_with_layout};

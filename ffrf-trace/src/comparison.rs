@@ -15,10 +15,8 @@ impl Traced {
 
     /// Whether it is finite; that it is so, if it is, is written down.
     pub(crate) fn ask_finite(&self) -> bool {
-        if !self.is_number() {
-            let condition = Condition { left: self.node, right: self.node, relation: Relation::Finite };
-            write(|tape| tape.grant(condition));
-        }
+        let condition = Condition { left: self.node, right: self.node, relation: Relation::Finite };
+        write(|tape| tape.grant(condition));
         self.value.is_finite()
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use ffrf_codegen::{GenerateOptions, ScalarType, Strategy, generate_array_function};
+use ffrf_codegen::{GenerateOptions, ScalarType, generate_array_function, snake_case};
 use ffrf_host::scene::file::SceneFile;
 use ffrf_host::scene::{MacroCalls, Scene, camel, macro_calls};
 use ffrf_host::straight_line::accelerations;
@@ -15,9 +15,6 @@ use crate::output;
 /// Writes bodies, mechanism and accelerations of a scene.
 pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -> Result<()> {
     refuse_of_scenes(arguments)?;
-    if arguments.strategy == Strategy::Lanes {
-        bail!("--strategy lanes with a scene: expected auto or straight_line");
-    }
     if arguments.scalar != ScalarType::F64 {
         bail!("--scalar {} with a scene in Rust: expected f64", arguments.scalar.name());
     }
@@ -27,7 +24,7 @@ pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -
     let scene = Scene::compose(&file, folder).with_context(shown)?;
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let title = camel(arguments.name.as_deref().unwrap_or(&stem));
-    let name = format!("{}_accelerations", snake(&title));
+    let name = format!("{}_accelerations", snake_case(&title));
     let function = accelerations(&scene, &name).with_context(shown)?;
     let code = generate_array_function(&function, &options).with_context(shown)?;
     let calls = MacroCalls {
@@ -48,16 +45,4 @@ pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -
         code.text
     );
     output::write(arguments.output.as_deref(), &text)
-}
-
-/// `SliderCrank` as `slider_crank`.
-fn snake(name: &str) -> String {
-    let mut text = String::new();
-    for (index, letter) in name.chars().enumerate() {
-        if letter.is_uppercase() && index > 0 {
-            text.push('_');
-        }
-        text.extend(letter.to_lowercase());
-    }
-    text
 }

@@ -2,9 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use crate::workbench::{Run, Workbench};
+use crate::workbench::{Run, Workbench, run_in};
 
 /// What a plan may exceed its budget by.
 const OVER_BUDGET: f64 = 2.0;
@@ -17,17 +16,7 @@ fn root() -> PathBuf {
 
 /// Runs `ffrf plan` in the folder of the workspace, from where the calls that it prints are to stand.
 fn plan(words: &str) -> Run {
-    let output = Command::new(env!("CARGO_BIN_EXE_ffrf"))
-        .current_dir(root())
-        .arg("plan")
-        .args(words.split_whitespace())
-        .output()
-        .unwrap();
-    Run {
-        code: output.status.code().unwrap(),
-        stdout: String::from_utf8(output.stdout).unwrap(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
-    }
+    run_in(&root(), ["plan"].into_iter().chain(words.split_whitespace()))
 }
 
 /// The number that follows the last `before` in a text.

@@ -2,9 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests are tests
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use crate::workbench::Run;
+use crate::workbench::{Run, run_in};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
@@ -12,16 +11,7 @@ fn root() -> PathBuf {
 
 /// Runs a command in a folder of the repository, from where the calls that it prints are to stand.
 fn run(folder: &str, words: &str) -> Run {
-    let output = Command::new(env!("CARGO_BIN_EXE_ffrf"))
-        .current_dir(root().join(folder))
-        .args(words.split_whitespace())
-        .output()
-        .unwrap();
-    Run {
-        code: output.status.code().unwrap(),
-        stdout: String::from_utf8(output.stdout).unwrap(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
-    }
+    run_in(&root().join(folder), words.split_whitespace())
 }
 
 /// What is printed is what `tests/mechanisms/straight_line.rs` and `benches/mechanisms` compile and run.

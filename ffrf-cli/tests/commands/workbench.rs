@@ -88,7 +88,8 @@ impl Workbench {
     }
 }
 
-fn run_in<'a>(folder: &Path, words: impl IntoIterator<Item = &'a str>) -> Run {
+/// Runs `ffrf` with these words in any folder.
+pub fn run_in<'a>(folder: &Path, words: impl IntoIterator<Item = &'a str>) -> Run {
     let output = Command::new(env!("CARGO_BIN_EXE_ffrf")).current_dir(folder).args(words).output().unwrap();
     Run {
         code: output.status.code().unwrap(),

@@ -18,6 +18,7 @@ mod rust;
 mod units;
 mod writer;
 
+pub use self::c::snake_case;
 pub(crate) use self::c::{
     Files as CFiles, MechanismSubject as CMechanism, Names as CNames, kernel as c_kernel,
     mechanism as c_mechanism,

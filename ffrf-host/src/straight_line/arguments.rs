@@ -3,7 +3,7 @@
 use ffrf_codegen::ArrayInput;
 use ffrf_runtime::State;
 use ffrf_trace::Traced;
-use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::scene::Scene;
 use crate::{HostModal, mechanism::HostIncrement};
@@ -25,8 +25,6 @@ pub(super) struct Arguments {
     pub(super) drives: ArrayInput,
     /// What is where, a line for each body.
     pub(super) table: Vec<String>,
-    /// Modes of each body.
-    modes: Vec<usize>,
 }
 
 impl Arguments {
@@ -52,7 +50,6 @@ impl Arguments {
                 inner: None,
             },
             drives: ArrayInput { name: "drives", entry: "drive", count: 3 * drives.len(), inner: Some(3) },
-            modes,
         }
     }
 
@@ -64,39 +61,22 @@ impl Arguments {
             index += 1;
             input
         };
-        let states = scene.initial.iter().zip(&self.modes);
+        let vector = |near: &Vector3<f64>, input: &mut dyn FnMut(f64) -> Traced| near.map(input);
+        let modal = |near: &HostModal, input: &mut dyn FnMut(f64) -> Traced| HostModal(near.0.map(input));
+        let states = scene.initial.iter();
         states
-            .map(|(state, modes)| {
-                let mut vector = |near: &Vector3<f64>| {
-                    let [x, y, z] = [near.x, near.y, near.z].map(&mut input);
-                    Vector3::new(x, y, z)
-                };
-                let position = vector(&state.position);
-                let [i, j, k, w] = state.orientation.coords.data.0[0].map(&mut input);
-                let mut modal = |near: &HostModal| {
-                    HostModal(DVector::from_vec(
-                        near.0.iter().take(*modes).map(|near| input(*near)).collect(),
-                    ))
-                };
-                let modal_coordinates = modal(&state.modal_coordinates);
-                let mut vector = |near: &Vector3<f64>| {
-                    let [x, y, z] = [near.x, near.y, near.z].map(&mut input);
-                    Vector3::new(x, y, z)
-                };
-                let (velocity, angular_velocity) = (vector(&state.velocity), vector(&state.angular_velocity));
-                let mut modal = |near: &HostModal| {
-                    HostModal(DVector::from_vec(
-                        near.0.iter().take(*modes).map(|near| input(*near)).collect(),
-                    ))
-                };
+            .map(|state| {
+                // the order of evaluation is that of the array
                 State {
-                    position,
+                    position: vector(&state.position, &mut input),
                     // as it is: what runs keeps it of length one
-                    orientation: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
-                    modal_coordinates,
-                    velocity,
-                    angular_velocity,
-                    modal_rates: modal(&state.modal_rates),
+                    orientation: UnitQuaternion::new_unchecked(Quaternion::from(
+                        state.orientation.coords.map(&mut input),
+                    )),
+                    modal_coordinates: modal(&state.modal_coordinates, &mut input),
+                    velocity: vector(&state.velocity, &mut input),
+                    angular_velocity: vector(&state.angular_velocity, &mut input),
+                    modal_rates: modal(&state.modal_rates, &mut input),
                 }
             })
             .collect()

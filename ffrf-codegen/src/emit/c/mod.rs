@@ -148,7 +148,7 @@ fn banner_of(subject: &Subject<'_>) -> Vec<String> {
 }
 
 /// `ConrodBody` as `conrod_body`; what C does not allow in a name becomes an underscore.
-fn snake_case(name: &str) -> String {
+pub fn snake_case(name: &str) -> String {
     let mut snake = String::new();
     let mut before = '_';
     for c in name.chars() {
