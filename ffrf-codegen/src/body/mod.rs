@@ -2,10 +2,12 @@
 
 mod baked;
 mod raw;
+mod significant;
 mod symbolic;
 
 pub use raw::{Matrix, RawInertia};
 pub(crate) use raw::{matrix, trace};
+pub use significant::significant;
 pub use symbolic::{modal_matrix, raw_inertia};
 
 use crate::expression::{Expression, Graph, Symmetric3, Vector, negate3};

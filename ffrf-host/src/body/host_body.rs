@@ -1,6 +1,10 @@
 //! A flexible body from its model, with invariants as tables.
 
+use ffrf_codegen::DEFAULT_LAYOUT_TOLERANCE;
+use ffrf_codegen::body::significant;
 use ffrf_codegen::fidelity::{EnergyTerm, Fidelity};
+use ffrf_codegen::invariants::{Invariant, Structure};
+use ffrf_codegen::layout::found;
 use ffrf_model::ReducedBody;
 use ffrf_runtime::{
     FlexibleBody, GeneralisedForce, Marker, ModalMatrix, ModalVector, Observables, Prepared, SectionMarker,
@@ -45,10 +49,17 @@ pub struct HostBody<T: RealField + Copy = f64> {
 }
 
 impl HostBody {
-    /// The body of a model, with the terms of the kinetic energy that `fidelity` keeps.
+    /// The body of a model, with the terms of the kinetic energy that `fidelity` keeps, and with what generated code takes for
+    /// zero as zero.
     ///
     /// The model must have passed its checks.
     pub fn new(body: &ReducedBody, fidelity: &Fidelity) -> Self {
+        Self::within(&significant(body, DEFAULT_LAYOUT_TOLERANCE, false), fidelity, DEFAULT_LAYOUT_TOLERANCE)
+    }
+
+    /// The same of a body whose entries are [`significant`], and whose modal mass has the structure that holds within `tolerance`.
+    pub(crate) fn within(body: &ReducedBody, fidelity: &Fidelity, tolerance: f64) -> Self {
+        let modal_mass_structure = found(body, tolerance)[Invariant::ModalMass];
         let keeps = |term: EnergyTerm| fidelity.keeps(term);
         let when = |kept: bool, tensor: Symmetric| if kept { tensor } else { [0.0; 6] };
         let vector_when = |kept: bool, vector: Vector3<f64>| if kept { vector } else { Vector3::zeros() };
@@ -111,7 +122,11 @@ impl HostBody {
                     };
                     body.markers.iter().map(|marker| of_marker(&marker.name)).collect()
                 }),
-            modal_mass: matrix(modes, |mu, nu| 0.5 * (trace(mu, nu) + trace(nu, mu))),
+            modal_mass: matrix(modes, |mu, nu| match (modal_mass_structure, mu == nu) {
+                (Structure::Identity, true) => 1.0,
+                (Structure::Identity | Structure::Diagonal, false) => 0.0,
+                _ => 0.5 * (trace(mu, nu) + trace(nu, mu)),
+            }),
             stiffness: matrix(modes, |mu, nu| body.stiffness[mu][nu]),
             damping: matrix(modes, |mu, nu| body.damping[mu][nu]),
             is_stiffened: centrifugal.is_some() || angular.is_some() || linear_acceleration.is_some(),

@@ -93,6 +93,23 @@ impl HostMechanism {
     }
 }
 
+impl HostMechanism {
+    /// Puts a body with as many modes in the place of one, with its first markers.
+    pub(crate) fn replace_body(
+        &mut self,
+        index: usize,
+        body: HostBody,
+        markers: Vec<Marker<HostModal, f64>>,
+    ) {
+        if let (Some(place), Some(all)) = (self.bodies.get_mut(index), self.markers.get_mut(index)) {
+            *place = body;
+            for (place, marker) in all.iter_mut().zip(markers) {
+                *place = marker;
+            }
+        }
+    }
+}
+
 impl<T: RealField + Copy> HostMechanism<T> {
     /// The same mechanism with these force elements.
     #[must_use]

@@ -5,7 +5,7 @@
 use std::fmt::Write as _;
 use std::path::{Component, Path, PathBuf};
 
-use ffrf_codegen::{Fidelity, ScalarType};
+use ffrf_codegen::{DEFAULT_LAYOUT_TOLERANCE, Fidelity, ScalarType};
 use ffrf_model::ModeSelection;
 
 use super::file::{BodyTable, ForceTable, FunctionValue, JointTable, SceneFile, Vector};
@@ -31,6 +31,8 @@ pub struct MacroCalls<'a> {
     pub bodies: &'a [Option<BodyCall>],
     /// Number type.
     pub scalar: ScalarType,
+    /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
+    pub layout_tolerance: f64,
     /// The function with the accelerations of the whole mechanism, if there is one.
     pub accelerations: Option<&'a str>,
 }
@@ -63,6 +65,9 @@ pub fn macro_calls(file: &SceneFile, folder: &Path, calls: &MacroCalls<'_>) -> S
             }
             if calls.scalar == ScalarType::F32 {
                 text.push_str("        scalar: f32,\n");
+            }
+            if calls.layout_tolerance != DEFAULT_LAYOUT_TOLERANCE {
+                let _ = writeln!(text, "        layout_tolerance: {:?},", calls.layout_tolerance);
             }
             text.push_str("    }\n}\n");
         }

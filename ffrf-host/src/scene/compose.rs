@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use ffrf_codegen::body::significant;
 use ffrf_runtime::State;
 use ffrf_runtime::mechanism::{Assembly, Constrained};
 use nalgebra::Vector3;
@@ -13,8 +14,8 @@ use super::names::NamedBody;
 use super::sensors::{Sensor, sensor};
 use super::settings::{Coordinates, Integrator};
 use super::{SceneError, SceneEvent, SceneModel, Settings, bodies, events, forces, joints};
-use crate::HostModal;
 use crate::mechanism::{Drive, HostMechanism, JointCoordinates, TreeError};
+use crate::{HostBody, HostModal};
 
 /// A scene that can be simulated.
 pub struct Scene {
@@ -139,6 +140,20 @@ impl Scene {
         scene.joint_coordinates()?;
         scene.check_modes()?;
         Ok(scene)
+    }
+
+    /// The same with entries of invariants and of mode shapes at markers below `tolerance` times their Gram scale set to zero
+    /// in its flexible bodies, see [`significant`].
+    #[must_use]
+    pub fn with_layout_tolerance(mut self, tolerance: f64) -> Self {
+        for (index, model) in self.models.iter().enumerate() {
+            if let Some(SceneModel { model, fidelity }) = model {
+                let left = significant(model, tolerance, true);
+                let body = HostBody::within(&left, fidelity, tolerance);
+                self.mechanism.replace_body(index, body, HostBody::markers(&left));
+            }
+        }
+        self
     }
 
     /// The coordinates of the joints, if they are what is integrated. Errors: the mechanism has none.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use ffrf_codegen::Fidelity;
+use ffrf_codegen::{DEFAULT_LAYOUT_TOLERANCE, Fidelity};
 use ffrf_model::ReducedBody;
 use ffrf_runtime::State;
 
@@ -243,7 +243,8 @@ impl Study {
             })
             .collect();
         let scalar = configuration.scalar;
-        let calls = MacroCalls { title, bodies: &calls, scalar, accelerations: None };
+        let layout_tolerance = DEFAULT_LAYOUT_TOLERANCE;
+        let calls = MacroCalls { title, bodies: &calls, scalar, layout_tolerance, accelerations: None };
         let text = macro_calls(&self.file, &self.folder, &calls);
         let (name, step) = (configuration.integrator.name(), configuration.step);
         format!("{text}// integrator: {name}, steps of {step:e} s\n")
