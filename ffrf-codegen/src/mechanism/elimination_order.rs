@@ -105,6 +105,8 @@ impl Couplings {
 /// Which eliminated body each eliminated joint has for its own.
 struct Owners<'a> {
     topology: &'a Topology,
+    /// For each body, the joint that is its support.
+    support_of: &'a [Option<usize>],
     /// For each body, whether it has gone.
     gone: Vec<bool>,
     /// For each body, the joint that it belongs to.
@@ -113,9 +115,13 @@ struct Owners<'a> {
 
 impl Owners<'_> {
     /// Gives `joint` a body of its own among those gone, moving earlier joints to their other body where that helps.
+    ///
+    /// A body on a support may have no more than the motions that this leaves: it is that joint's own, or nobody's.
     fn give(&mut self, joint: usize, tried: &mut BTreeSet<usize>) -> bool {
         let ends = self.topology.joints[joint].ends;
-        for body in ends.into_iter().flatten().filter(|body| self.gone[*body]).collect::<Vec<_>>() {
+        let may_own =
+            |body: &usize| self.gone[*body] && self.support_of[*body].is_none_or(|own| own == joint);
+        for body in ends.into_iter().flatten().filter(may_own).collect::<Vec<_>>() {
             if !tried.insert(body) {
                 continue;
             }
@@ -129,8 +135,12 @@ impl Owners<'_> {
 
     /// Whether [`give`](Self::give) would find one.
     fn has_one_for(&self, joint: usize) -> bool {
-        let mut tried =
-            Self { topology: self.topology, gone: self.gone.clone(), joint_of: self.joint_of.clone() };
+        let mut tried = Self {
+            topology: self.topology,
+            support_of: self.support_of,
+            gone: self.gone.clone(),
+            joint_of: self.joint_of.clone(),
+        };
         tried.give(joint, &mut BTreeSet::new())
     }
 }
@@ -192,7 +202,14 @@ fn greedy(topology: &Topology, keeping: &[usize], price: usize) -> Order {
     let bodies = topology.flexible.len();
     let joints = bodies..bodies + topology.joints.len();
     let mut couplings = Couplings::of(topology, keeping);
-    let mut owners = Owners { topology, gone: vec![false; bodies], joint_of: vec![None; bodies] };
+    let mut support_of = vec![None; bodies];
+    for (joint, _) in topology.supports().into_iter().enumerate().filter(|(_, is_support)| *is_support) {
+        for body in topology.joints[joint].ends.into_iter().flatten() {
+            support_of[body] = Some(joint);
+        }
+    }
+    let mut owners =
+        Owners { topology, support_of: &support_of, gone: vec![false; bodies], joint_of: vec![None; bodies] };
     let mut left: BTreeSet<usize> = (0..couplings.sizes.len()).collect();
     let mut order = Vec::with_capacity(left.len());
     loop {

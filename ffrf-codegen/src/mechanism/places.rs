@@ -71,6 +71,8 @@ pub struct JointPlace {
     pub node: usize,
     /// Diagonal block.
     pub diagonal: usize,
+    /// Whether it is a support, see [`Topology::supports`].
+    pub is_support: bool,
     /// First and second end; `None` on the ground.
     pub ends: [Option<EndPlace>; 2],
 }
@@ -197,6 +199,7 @@ impl MechanismPlan {
             let (earlier, later) = if transposed { (joint, other) } else { (other, joint) };
             BlockPlace { index: blocks[&(earlier, later)], transposed }
         };
+        let supports = topology.supports();
         let mut attached_ends = vec![0; bodies];
         let mut joints = Vec::with_capacity(topology.joints.len());
         for (index, joint) in topology.joints.iter().enumerate() {
@@ -208,7 +211,13 @@ impl MechanismPlan {
                     EndPlace { body, slot, block: block(node, body) }
                 })
             });
-            joints.push(JointPlace { rows: joint.rows, node, diagonal: blocks[&(node, node)], ends });
+            joints.push(JointPlace {
+                rows: joint.rows,
+                node,
+                diagonal: blocks[&(node, node)],
+                is_support: supports[index],
+                ends,
+            });
         }
         let mut modes = Vec::with_capacity(keeping.len());
         let mut modal_ends = Vec::new();

@@ -20,6 +20,9 @@ const ENDS_OF_HUB: usize = 4;
 /// for the couplings of all pairs of joints, n³/6 of them, for a body with some five times as many modes as ends.
 const MOST_ENDS_ELIMINATED: usize = 32;
 
+/// A support leaves as many motions as half of a block has rows, or fewer.
+const LEAST_ROWS_OF_SUPPORT: usize = 3;
+
 /// A flexible body with so many joints that its modes may be kept as unknowns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Hub {
@@ -122,6 +125,20 @@ impl Topology {
             Hub { body, ends, rows }
         });
         counted.filter(|hub| hub.ends >= ENDS_OF_HUB).collect()
+    }
+
+    /// For each joint, whether it is a support: the first joint of a rigid body with the ground that leaves it at most three
+    /// motions, in a mechanism with loops. The body's unknowns can then be these motions; trees are swept over.
+    pub fn supports(&self) -> Vec<bool> {
+        let mut supported = self.flexible.clone();
+        let loops = self.has_loops();
+        let is_support = |joint: &JointTopology| match joint.ends {
+            [Some(body), None] | [None, Some(body)] if loops && joint.rows >= LEAST_ROWS_OF_SUPPORT => {
+                !std::mem::replace(&mut supported[body], true)
+            }
+            _ => false,
+        };
+        self.joints.iter().map(is_support).collect()
     }
 
     /// Whether bodies and joints form loops, through the ground or without it: then constraint rows may be redundant.

@@ -109,6 +109,7 @@ impl OwnedPlan {
                     rows: joint.rows,
                     node: joint.node,
                     diagonal: joint.diagonal,
+                    is_support: joint.is_support,
                     ends: joint.ends.map(|end| {
                         end.map(|end| EndPlace { body: end.body, slot: end.slot, block: block(end.block) })
                     }),

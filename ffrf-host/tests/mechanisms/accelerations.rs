@@ -10,7 +10,7 @@ use super::graphs::{Case, SHAPES, Shape, attachment, case, random_case, random_c
 use super::tolerances::{RESIDUAL, SOLVED, left_by_regularisation};
 
 /// Beyond this the system counts as singular: the random joints hold what cannot be held. See `redundant` for those.
-const SINGULAR: f64 = 1e9;
+pub const SINGULAR: f64 = 1e9;
 
 /// Bodies of each mechanism.
 const COUNTS: [usize; 4] = [2, 3, 5, 8];
@@ -68,7 +68,7 @@ impl Tally {
     }
 }
 
-fn every_case(mut check: impl FnMut(Shape, &Case)) {
+pub fn every_case(mut check: impl FnMut(Shape, &Case)) {
     for shape in SHAPES {
         for count in COUNTS {
             for seed in 1..=SEEDS {

@@ -111,7 +111,7 @@ pub fn free_equations(
     (mass, force)
 }
 
-fn subtracted_motion(states: &[State<HostModal>], subtracted: &HostIncrement) -> DVector<f64> {
+pub fn subtracted_motion(states: &[State<HostModal>], subtracted: &HostIncrement) -> DVector<f64> {
     let parts = states.iter().zip(&subtracted.0).map(|(state, part)| motion_of(state, part));
     let numbers: Vec<f64> = parts.flat_map(|part| part.as_slice().to_vec()).collect();
     DVector::from_vec(numbers)

@@ -16,6 +16,7 @@ mod redundancy_report;
 mod redundant;
 mod rigid_mechanisms;
 mod straight_line;
+mod supports;
 mod tolerances;
 mod trees;
 mod witness;

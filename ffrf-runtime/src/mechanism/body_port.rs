@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, RealField, Vector3, Vector6};
 use super::kept_modes::copy_from;
 use super::room::attached;
 use super::solved::Solved;
+use super::support::Supported;
 use super::{AttachedRows, ImplicitTerms, Keeping, Level, Phase, Port, RigidFrame, Room};
 use crate::body::{
     FlexibleBody, GeneralisedForce, ImplicitBody, Increment, Marker, MarkerMotion, MarkerStep, ModalVector,
@@ -254,7 +255,10 @@ where
             return;
         }
         match (&self.room.frame, self.room.solved.eliminated()) {
-            (Some(frame), _) => six_times!(K: { to[K][K] = frame.masses()[K]; }),
+            (Some(frame), _) => {
+                let masses = self.room.supported.as_ref().map_or(*frame.masses(), Supported::masses);
+                six_times!(K: { to[K][K] = masses[K]; });
+            }
             (None, Some(eliminated)) => *to = eliminated.remaining.data.0,
             (None, None) => *to = zeros(),
         }
@@ -305,7 +309,7 @@ where
         effects: &mut Square<T>,
         compliances: Option<&mut [T; 6]>,
     ) {
-        let Room { rows: places, solved, frame, yields, span, kept } = &mut *self.room;
+        let Room { rows: places, solved, frame, supported, yields, span, kept } = &mut *self.room;
         let (Some(at), Some(place), Some(eliminated)) =
             (self.markers.get(marker), places.as_mut().get_mut(slot), solved.eliminated())
         else {
@@ -330,6 +334,9 @@ where
                 None => frame.effects(&at.position, gradients, effects),
             }
             add_compliances(compliances, effects);
+            if let Some(supported) = supported {
+                supported.project(effects);
+            }
             return;
         }
         match span {
@@ -392,7 +399,11 @@ where
         let Some(eliminated) = self.room.solved.eliminated() else { return [T::zero(); 6] };
         self.alone = eliminated.modal.solve(&self.net.modal);
         let force = eliminated.reduced_force(&self.net).into();
-        self.room.frame.as_ref().map_or(force, |frame| frame.force(force))
+        match (&self.room.frame, &self.room.supported) {
+            (Some(frame), Some(supported)) => supported.force(frame, frame.force(force)),
+            (Some(frame), None) => frame.force(force),
+            (None, _) => force,
+        }
     }
 
     fn push_net(&mut self, marker: usize, wrench: &Wrench<T>) {
@@ -439,7 +450,11 @@ where
             return;
         }
         if let Some(eliminated) = self.room.solved.eliminated() {
-            let rigid = self.room.frame.as_ref().map_or(*rigid, |frame| frame.motion(rigid));
+            let rigid = match (&self.room.frame, &self.room.supported) {
+                (Some(frame), Some(supported)) => frame.motion(&supported.motion(rigid)),
+                (Some(frame), None) => frame.motion(rigid),
+                (None, _) => *rigid,
+            };
             self.motion = eliminated.with_modes(&Vector6::from(rigid), self.alone.clone());
         }
     }

@@ -18,6 +18,17 @@ const ENOUGH: f64 = 1e-6;
 #[derive(Debug, Clone, Copy)]
 pub struct Constrained<'a, A>(pub &'a A);
 
+/// What an evaluation is asked for.
+#[derive(Clone, Copy)]
+enum Asked<'e, T> {
+    /// Motion and reactions.
+    All,
+    /// The motion alone.
+    Motion,
+    /// The motion with friction that was found before; what is subtracted would take its share out of the reactions.
+    MotionWith(&'e [T]),
+}
+
 /// Which equations a mechanism has with its soft links, or without.
 #[inline(always)]
 fn equations<A: Assembly<T>, T: RealField + Copy>(assembly: &A, soft: bool) -> Equations {
@@ -30,6 +41,7 @@ fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
     ports: &'a mut A::Ports<'_>,
     storage: &'a mut Storage<'s, T>,
     equations: Equations,
+    supported: bool,
 ) -> Constraints<'a, 's, T> {
     let plan = match equations {
         Equations::SoftRows => Plan { branches: &[], ..assembly.soft_plan() },
@@ -42,6 +54,7 @@ fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
         ports,
         storage,
         regularisation: assembly.regularisation(),
+        supported,
     }
 }
 
@@ -61,19 +74,19 @@ impl<A> Constrained<'_, A> {
         T: RealField + Copy,
     {
         let target = self.0.treatment().target();
-        self.solve(time, state, implicit, target, None, |ports, storage| read(ports, storage))
+        self.solve(time, state, implicit, target, Asked::All, |ports, storage| read(ports, storage))
     }
 
     /// [`evaluate`](Self::evaluate) for a target, with everything still open for further right-hand sides.
     ///
-    /// `efforts`: friction that was found before; what is subtracted would take its share out of the reactions.
+    /// `asked`: see [`Asked`].
     fn solve<T, R>(
         &self,
         time: T,
         state: A::State,
         implicit: Option<ImplicitTerms<'_, A::Increment, T>>,
         target: Target<T>,
-        efforts: Option<&[T]>,
+        asked: Asked<'_, T>,
         read: impl FnOnce(&mut A::Ports<'_>, &mut Storage<'_, T>) -> R,
     ) -> Result<R, StepError>
     where
@@ -86,14 +99,16 @@ impl<A> Constrained<'_, A> {
         let mut ports = assembly.ports(&mut rooms, state, implicit);
         assembly.load(time, &mut ports);
         let equations = equations(assembly, soft.is_some());
+        // friction asks for reactions
+        let supported = matches!(asked, Asked::Motion) && assembly.friction(0).is_none();
         assembly.with_storage(equations, |storage| {
-            let mut constraints = constraints(assembly, &mut ports, storage, equations);
+            let mut constraints = constraints(assembly, &mut ports, storage, equations, supported);
             constraints.evaluate(&|joint| assembly.drive(joint, time));
             if let Some(gamma_h) = soft {
                 constraints.soften(assembly, gamma_h);
             }
             constraints.factor()?;
-            if let Some(efforts) = efforts {
+            if let Asked::MotionWith(efforts) = asked {
                 constraints.rub_as(assembly, efforts);
                 constraints.accelerate(target);
             } else {
@@ -172,7 +187,7 @@ impl<A> Constrained<'_, A> {
         let equations = equations(assembly, with_soft);
         let drift = assembly.with_storage(equations, |storage| {
             let drive = |joint| assembly.drive(joint, time);
-            let mut evaluated = constraints(assembly, &mut ports, storage, equations);
+            let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
             evaluated.evaluate(&drive);
             let mut left = evaluated.residuals();
             let drift = Drift { position: left.0[0], velocity: left.0[1] };
@@ -185,7 +200,7 @@ impl<A> Constrained<'_, A> {
                     if left.0[index] <= enough {
                         break;
                     }
-                    let mut evaluated = constraints(assembly, &mut ports, storage, equations);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
                     if !factored {
                         if let Some(gamma_h) = soft {
                             evaluated.soften(assembly, gamma_h);
@@ -195,7 +210,7 @@ impl<A> Constrained<'_, A> {
                     }
                     evaluated.correct(level);
                     assembly.correct(&mut ports, level);
-                    let mut evaluated = constraints(assembly, &mut ports, storage, equations);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
                     match level {
                         Level::Position => evaluated.evaluate(&drive),
                         Level::Velocity => evaluated.follow_velocities(),
@@ -240,7 +255,8 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
         if let Some(rates) = self.0.straight_rates(time, &state, increment) {
             return Ok(rates);
         }
-        self.evaluate(time, state, None, |ports, _| self.0.collect(ports, increment))
+        let target = self.0.treatment().target();
+        self.solve(time, state, None, target, Asked::Motion, |ports, _| self.0.collect(ports, increment))
     }
 
     fn place_rates(&self, origin: &Self::State, increment: &Self::Increment) -> Self::Increment {
@@ -309,19 +325,20 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
         let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
         let target = self.0.treatment().target();
         if self.0.friction(0).is_none() {
-            return self
-                .solve(time, state, implicit, target, None, |ports, _| self.0.collect(ports, increment));
+            return self.solve(time, state, implicit, target, Asked::Motion, |ports, _| {
+                self.0.collect(ports, increment)
+            });
         }
         // multipliers of what is left after a subtraction are no reactions: those of the whole are found first, of this
         // stage and of one half as long, which tells them at the state itself
         let whole = |gamma_h| Some(ImplicitTerms { gamma_h, subtracted: None, chart });
         let half: T = nalgebra::convert(0.5);
-        self.solve(time, state.clone(), whole(gamma_h), target, None, |_, far| {
-            self.solve(time, state.clone(), whole(gamma_h * half), target, None, |_, near| {
+        self.solve(time, state.clone(), whole(gamma_h), target, Asked::All, |_, far| {
+            self.solve(time, state.clone(), whole(gamma_h * half), target, Asked::All, |_, near| {
                 for (near, far) in near.efforts.iter_mut().zip(far.efforts.iter()) {
                     *near = extrapolated(*near, *far);
                 }
-                let efforts = Some(&*near.efforts);
+                let efforts = Asked::MotionWith(near.efforts);
                 self.solve(time, state, implicit, target, efforts, |ports, _| {
                     self.0.collect(ports, increment)
                 })
@@ -350,11 +367,12 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
             Treatment::StabilisedIndex2 => Target::Velocity { share: gamma_h },
             Treatment::Projection { .. } | Treatment::Baumgarte { .. } => treatment.target(),
         };
-        self.solve(time, state, implicit, target, None, |ports, storage| {
+        self.solve(time, state, implicit, target, Asked::Motion, |ports, storage| {
+            let supported = assembly.friction(0).is_none();
             let accelerations = assembly.velocities_only(&assembly.collect(ports, increment));
             let places = matches!(treatment, Treatment::StabilisedIndex2).then(|| {
                 let mut constraints =
-                    constraints(assembly, ports, storage, equations(assembly, chart.is_some()));
+                    constraints(assembly, ports, storage, equations(assembly, chart.is_some()), supported);
                 constraints.correct(Level::Position);
                 let moved = assembly.velocities_only(&assembly.collect(ports, increment));
                 displaced(self, origin, &moved)
@@ -397,7 +415,7 @@ impl<A: Assembly<T>, T: RealField + Copy> ConservingSystem<T> for Constrained<'_
                 if phase == Phase::Mean {
                     assembly.load(time + half, &mut ports);
                 }
-                let mut constraints = constraints(assembly, &mut ports, storage, Equations::Rows);
+                let mut constraints = constraints(assembly, &mut ports, storage, Equations::Rows, false);
                 constraints.plan.elimination.of_instant = false;
                 let moment = if phase == Phase::End { step } else { half };
                 constraints.evaluate(&|joint| assembly.drive(joint, time + moment));

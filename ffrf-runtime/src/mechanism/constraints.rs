@@ -3,11 +3,11 @@
 use nalgebra::RealField;
 
 use super::soft_rows::{attach_soft_rows, pull_soft_rows};
+use super::supporting::stands;
 use super::{Connection, EvaluatedJoint, Freedom, Limb, Plan, Ports, Regularisation};
 use crate::integrators::StepError;
 use crate::joints::Joint;
-use crate::relations::add_powers;
-use crate::six::{add, add_scaled, block_at, products, scaled, six_times, transpose};
+use crate::six::{add, block_at, products, scaled, six_times, transpose};
 
 /// The numbers of one evaluation of a mechanism; sizes as its plan says.
 #[derive(Debug)]
@@ -82,6 +82,8 @@ pub struct Constraints<'a, 's, T: RealField + Copy> {
     pub storage: &'a mut Storage<'s, T>,
     /// Treatment of redundant rows.
     pub regularisation: Regularisation<T>,
+    /// Whether bodies stand on their [supports](JointPlace::is_support), whose multipliers are then not found.
+    pub supported: bool,
 }
 
 impl<T: RealField + Copy> Constraints<'_, '_, T> {
@@ -105,22 +107,36 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             return self.factor_tree();
         }
         let share = self.regularisation.share;
+        for index in 0..self.plan.bodies.len() {
+            if self.ports.port_mut(index).is_some_and(|port| port.factor().is_err()) {
+                return Err(self.blame());
+            }
+        }
+        if self.supported {
+            self.put_on_supports();
+        }
         let Storage { blocks, shift: shifts, joints: evaluated, soft_markers, .. } = &mut *self.storage;
         for block in blocks.iter_mut() {
             *block = None;
         }
         for (index, place) in self.plan.bodies.iter().enumerate() {
-            let Some(port) = self.ports.port_mut(index) else { continue };
-            if port.factor().is_err() {
-                return Err(self.blame());
+            if let (Some(port), Some(block)) = (self.ports.port(index), block_at(blocks, place.diagonal)) {
+                port.rigid_mass(block);
             }
-            let Some(block) = block_at(blocks, place.diagonal) else { continue };
-            port.rigid_mass(block);
         }
         let joints = self.plan.joints.iter().zip(self.connections).zip(evaluated.iter());
         for ((place, connection), joint) in joints {
             let Some(EvaluatedJoint { rows, .. }) = joint else { continue };
             let mut shift = [T::zero(); 6];
+            if place.is_support && stands(self.ports, place) {
+                if let Some(block) = block_at(blocks, place.diagonal) {
+                    six_times!(K: { block[K][K] = -T::one(); });
+                }
+                if let Some(kept) = shifts.get_mut(place.node) {
+                    *kept = shift;
+                }
+                continue;
+            }
             for ((end, attachment), gradients) in
                 place.ends.iter().zip([&connection.first, &connection.second]).zip(rows.gradients())
             {
@@ -214,41 +230,13 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
     pub fn accelerate(&mut self, target: Target<T>) {
         let is_tree = self.is_tree();
         if !is_tree {
+            if self.supported {
+                self.ask_of_supports(target);
+            }
             self.take_forces();
         }
-        let joints = self.plan.joints.iter().zip(self.connections);
-        for ((place, connection), joint) in joints.zip(self.storage.joints.iter()) {
-            let Some(EvaluatedJoint { rows, ends }) = joint else { continue };
-            let Some(right) = self.storage.right.get_mut(place.node) else { continue };
-            let mut wanted = match target {
-                Target::Acceleration { gains: [damping, stiffness] } => {
-                    let mut wanted = rows.whole_biases(ends);
-                    if damping != T::zero() || stiffness != T::zero() {
-                        add_scaled(&mut wanted, damping, &rows.velocities(ends));
-                        add_scaled(&mut wanted, stiffness, rows.residuals());
-                    }
-                    scaled(-T::one(), &wanted)
-                }
-                Target::Velocity { share } => scaled(-T::one() / share, &rows.velocities(ends)),
-                Target::Position { share } => scaled(-T::one() / share, rows.residuals()),
-                Target::Aimed => *rows.residuals(),
-            };
-            for ((end, attachment), gradients) in
-                place.ends.iter().zip([&connection.first, &connection.second]).zip(rows.gradients())
-            {
-                let Some(end) = end else { continue };
-                let Some(port) = self.ports.port(end.body) else { continue };
-                if !is_tree {
-                    port.subtract_modal_accelerations(end.slot, &mut wanted);
-                }
-                if !matches!(target, Target::Acceleration { .. }) {
-                    continue;
-                }
-                if let Some([linear, angular]) = port.subtracted_twist(attachment.marker) {
-                    add_powers(&mut wanted, gradients, &-linear, &-angular);
-                }
-            }
-            *right = wanted;
+        for number in 0..self.connections.len() {
+            self.put_wanted(number, target, !is_tree);
         }
         if is_tree {
             self.solve_tree(true);
@@ -305,15 +293,23 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
                 port.without_force();
             }
         }
-        let evaluated = self.storage.joints.iter();
+        let target = match level {
+            Level::Position => Target::Position { share: T::one() },
+            Level::Velocity => Target::Velocity { share: T::one() },
+        };
+        if self.supported {
+            self.ask_of_supports(target);
+            for (index, place) in self.plan.bodies.iter().enumerate() {
+                if let (Some(port), Some(right)) =
+                    (self.ports.port(index), self.storage.right.get_mut(place.node))
+                {
+                    *right = port.unforced();
+                }
+            }
+        }
         // soft rows resist corrections, and ask for none
-        for (place, joint) in self.plan.joints.iter().zip(evaluated).take(self.connections.len()) {
-            let Some(EvaluatedJoint { rows, ends }) = joint else { continue };
-            let Some(right) = self.storage.right.get_mut(place.node) else { continue };
-            *right = match level {
-                Level::Position => scaled(-T::one(), rows.residuals()),
-                Level::Velocity => scaled(-T::one(), &rows.velocities(ends)),
-            };
+        for number in 0..self.connections.len() {
+            self.put_wanted(number, target, false);
         }
         if self.is_tree() {
             self.solve_tree(false);

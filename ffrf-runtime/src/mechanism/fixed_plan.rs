@@ -55,7 +55,8 @@ impl<
             couplings: [Coupling { size: 1, node: 0, holds_point: false }; COUPLINGS],
             targets: [0; TARGETS],
             bodies: [BodyPlace { node: 0, diagonal: 0 }; BODIES],
-            joints: [JointPlace { rows: 1, node: 0, diagonal: 0, ends: [None; 2] }; JOINTS],
+            joints: [JointPlace { rows: 1, node: 0, diagonal: 0, is_support: false, ends: [None; 2] };
+                JOINTS],
             shared: [SharedPlace { body: 0, first: 0, second: 0, block: BLOCK }; SHARED],
             modes: [ModesPlace { body: 0, first: 0, node: 0, diagonal: 0, frame: BLOCK }; MODES],
             modal_ends: [ModalEndPlace { body: 0, slot: 0, first: 0, block: BLOCK }; ENDS],

@@ -307,7 +307,7 @@ impl Unexpanded<'_> {
             let [first, second] = joint.ends;
             let ends = [self.moved_end(starts, first), self.moved_end(starts, second)];
             let diagonal = self.block(starts, joint.diagonal, 0, 0);
-            put(to.joints, index, JointPlace { rows: joint.rows, node: joint.node, diagonal, ends });
+            put(to.joints, index, JointPlace { diagonal, ends, ..joint });
             index += 1;
         }
         let mut index = 0;

@@ -40,6 +40,8 @@ pub struct JointPlace {
     pub node: usize,
     /// Its diagonal block.
     pub diagonal: usize,
+    /// Whether it is a support: it holds a rigid body on the ground, whose unknowns can be the at most three motions that it leaves.
+    pub is_support: bool,
     /// Its first and second end; `None` on the ground.
     pub ends: [Option<EndPlace>; 2],
 }

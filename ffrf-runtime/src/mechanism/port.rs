@@ -2,7 +2,7 @@
 
 use nalgebra::{RealField, Vector3};
 
-use super::TreePort;
+use super::{SupportPort, TreePort};
 use crate::body::{MarkerMotion, MarkerStep, Wrench};
 use crate::integrators::StepError;
 
@@ -16,7 +16,7 @@ pub enum Phase {
 }
 
 /// One body in one state, prepared for joints. An object: joints, forces and sensors are compiled once for all bodies.
-pub trait Port<T: RealField + Copy>: TreePort<T> {
+pub trait Port<T: RealField + Copy>: TreePort<T> + SupportPort<T> {
     /// Sets place and motion of a marker, where they stay.
     fn marker_motion(&self, marker: usize, to: &mut MarkerMotion<T>);
     /// A marker over a step of the energy-momentum method; `None` outside of those.

@@ -49,11 +49,42 @@ impl<T: RealField + Copy> RigidFrame<T> {
         &self.masses
     }
 
+    /// From the centre of mass to a point of the body (body frame), along the axes of linear motion. Units: m.
+    #[inline]
+    pub(super) fn arm(&self, at: &Vector3<T>) -> Vector3<T> {
+        self.axes * (at - self.center)
+    }
+
+    /// The components of a motion of a point of the body, `arm` from its centre of mass, along the axes of linear motion.
+    #[inline]
+    pub(super) fn components(&self, linear: &Vector3<T>, angular: &Vector3<T>, arm: &Vector3<T>) -> [T; 6] {
+        let [l21, l31, l32] = self.lower;
+        let center = linear - angular.cross(arm);
+        let turned = self.axes.tr_mul(angular);
+        [
+            center.x,
+            center.y,
+            center.z,
+            turned.x + l21 * turned.y + l31 * turned.z,
+            turned.y + l32 * turned.z,
+            turned.z,
+        ]
+    }
+
+    /// The motion of a point of the body (body frame) in these components: [linear, angular], along the axes of linear motion.
+    #[inline]
+    pub(super) fn twist(&self, [x, y, z, first, second, third]: &[T; 6], at: &Vector3<T>) -> [Vector3<T>; 2] {
+        let [l21, l31, l32] = self.lower;
+        let about_y = *second - l32 * *third;
+        let angular = self.axes * Vector3::new(*first - l21 * about_y - l31 * *third, about_y, *third);
+        [Vector3::new(*x, *y, *z) + angular.cross(&self.arm(at)), angular]
+    }
+
     /// The effects on these components of rows at a point of the body (body frame), with components of force and moment
     /// along the axes of linear motion. Shape: 6 x rows.
     #[inline]
     pub(super) fn effects(&self, at: &Vector3<T>, gradients: &Square<T>, effects: &mut Square<T>) {
-        let arm = self.axes * (at - self.center);
+        let arm = self.arm(at);
         let [x, y, z, r_x, r_y, r_z] = gradients;
         let moment = |own: &[T; 6], more: (T, &[T; 6]), less: (T, &[T; 6])| {
             let mut sum = *own;

@@ -3,6 +3,7 @@
 use nalgebra::RealField;
 
 use super::solved::Solved;
+use super::support::Supported;
 use super::{AttachedRows, Phase, RigidFrame};
 use crate::body::{ModalVector, Span};
 
@@ -17,6 +18,8 @@ pub struct Room<V: ModalVector<T>, R, T: RealField + Copy, K = ()> {
     pub(super) solved: Solved<V, T>,
     /// What the unknowns of a body without modes are; else the accelerations of its frame are unknown.
     pub(super) frame: Option<RigidFrame<T>>,
+    /// The motions that a support leaves, if they are its unknowns.
+    pub(super) supported: Option<Supported<T>>,
     /// One over the diagonal of Z in its components; zero where that is not positive.
     pub(super) yields: Option<[T; 6]>,
     /// A step of the energy-momentum method, and what is shown of it.
@@ -39,7 +42,7 @@ where
 impl<V: ModalVector<T>, R, T: RealField + Copy, K> Room<V, R, T, K> {
     #[inline(always)]
     pub(super) fn new(rows: R, kept: K) -> Self {
-        Self { rows, solved: Solved::Nothing, frame: None, yields: None, span: None, kept }
+        Self { rows, solved: Solved::Nothing, frame: None, supported: None, yields: None, span: None, kept }
     }
 }
 

@@ -37,7 +37,7 @@ fn motions<'f, T>(
 /// Both ends are seen where the second one is: rows that hold a point or a distance do not ask where, and the others have the
 /// moment of that distance at their first end.
 #[inline(always)]
-fn beyond<T: RealField + Copy>(
+pub(super) fn beyond<T: RealField + Copy>(
     connection: &Connection<T>,
     joint: &EvaluatedJoint<T>,
     second: bool,

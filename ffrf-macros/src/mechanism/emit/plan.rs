@@ -1,6 +1,6 @@
 //! Where everything stands, as constants.
 
-use ffrf_codegen::mechanism::{BlockPlace, Hub, MechanismPlan};
+use ffrf_codegen::mechanism::{BlockPlace, Hub, JointPlace, MechanismPlan};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -136,7 +136,7 @@ fn plan(plan: &MechanismPlan, prefix: &str, keyword: &TokenStream) -> (TokenStre
         quote! { places::BodyPlace { node: #node, diagonal: #diagonal } }
     });
     let joints = plan.joints.iter().map(|joint| {
-        let (rows, node, diagonal) = (joint.rows, joint.node, joint.diagonal);
+        let JointPlace { rows, node, diagonal, is_support, .. } = joint;
         let ends = joint.ends.iter().map(|end| match end {
             None => quote! { ::core::option::Option::None },
             Some(end) => {
@@ -145,7 +145,9 @@ fn plan(plan: &MechanismPlan, prefix: &str, keyword: &TokenStream) -> (TokenStre
             }
         });
         quote! {
-            places::JointPlace { rows: #rows, node: #node, diagonal: #diagonal, ends: [#(#ends),*] }
+            places::JointPlace {
+                rows: #rows, node: #node, diagonal: #diagonal, is_support: #is_support, ends: [#(#ends),*],
+            }
         }
     });
     let shared = plan.shared.iter().map(|shared| {
