@@ -129,9 +129,6 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             let Some(EvaluatedJoint { rows, .. }) = joint else { continue };
             let mut shift = [T::zero(); 6];
             if place.is_support && stands(self.ports, place) {
-                if let Some(block) = block_at(blocks, place.diagonal) {
-                    six_times!(K: { block[K][K] = -T::one(); });
-                }
                 if let Some(kept) = shifts.get_mut(place.node) {
                     *kept = shift;
                 }

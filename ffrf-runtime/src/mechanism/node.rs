@@ -73,31 +73,39 @@ impl Node<'_> {
         let base = self.step.diagonal + 1 + self.couplings.len();
         let (panel, later) = blocks.split_at_mut_checked(base)?;
         let (diagonal, others) = panel.get_mut(self.step.diagonal..)?.split_first_mut()?;
-        let diagonal = diagonal.get_or_insert_with(zeros);
+        let diagonal = match diagonal {
+            Some(diagonal) => diagonal,
+            // the joint that a body stands on: it is coupled to nothing, and has nothing to find
+            None if others.iter().all(Option::is_none) => return Some(()),
+            None => diagonal.insert(zeros()),
+        };
         let is_diagonal = self.is_diagonal::<N>();
         let inverse = match is_diagonal {
             true => invert_diagonal(diagonal)?,
             false => factor_diagonal::<N, T>(diagonal)?,
         };
-        let mut targets = self.targets.iter();
+        let mut rest_of_targets = self.targets;
         for (p, last) in self.couplings.iter().enumerate() {
+            let (targets, after) = rest_of_targets.split_at_checked(p + 1)?;
+            rest_of_targets = after;
             let (done, rest) = others.split_at_mut_checked(p)?;
-            let own = rest.first_mut()?.get_or_insert_with(zeros);
+            let Some(own) = rest.first_mut()? else { continue };
             let held = is_diagonal && self.of_instant && last.holds_point;
             // U = L⁻¹ A, of which D⁻¹ U stays
             let eliminated = match is_diagonal {
                 true => scale_rows(own, &inverse),
                 false => eliminate_rows::<N, T>(own, diagonal, &inverse),
             };
-            for (block, coupling) in done.iter().flatten().zip(self.couplings) {
-                let target = block_at(later, targets.next()?.checked_sub(base)?)?;
+            for ((block, coupling), target) in done.iter().zip(self.couplings).zip(targets) {
+                let Some(block) = block else { continue };
+                let target = block_at(later, target.checked_sub(base)?)?;
                 if held && coupling.holds_point {
                     subtract_held(target, block, &eliminated);
                 } else {
                     by_columns!(coupling.size, subtract::<N, T>(target, block, &eliminated));
                 }
             }
-            let target = block_at(later, targets.next()?.checked_sub(base)?)?;
+            let target = block_at(later, targets.last()?.checked_sub(base)?)?;
             if held {
                 subtract_held(target, own, &eliminated);
             } else {
@@ -130,7 +138,8 @@ impl Node<'_> {
             } });
             *place = own;
         }
-        for (coupling, block) in self.couplings.iter().zip(others.iter().flatten()) {
+        for (coupling, block) in self.couplings.iter().zip(others) {
+            let Some(block) = block else { continue };
             let later = unknowns.get_mut(coupling.node)?;
             let mut sum = *later;
             if is_diagonal && self.of_instant && coupling.holds_point {
@@ -155,7 +164,8 @@ impl Node<'_> {
         let mut own = *unknowns.get(self.step.node)?;
         let is_diagonal = self.is_diagonal::<N>();
         six_times!(I: { if I < N { own[I] *= diagonal[I][I]; } });
-        for (coupling, block) in self.couplings.iter().zip(others.iter().flatten()) {
+        for (coupling, block) in self.couplings.iter().zip(others) {
+            let Some(block) = block else { continue };
             let later = unknowns.get(coupling.node)?;
             if is_diagonal && self.of_instant && coupling.holds_point {
                 six_times!(I: {

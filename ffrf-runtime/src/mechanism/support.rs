@@ -10,7 +10,7 @@
 //! where a_0 takes what the joint asks for and the s_k span what it leaves, with s_jᵀ M s_k = 0 for j ≠ k. In place of a body with
 //! six unknowns and a joint with r multipliers there are 6 - r unknowns of mass s_kᵀ M s_k, on which rows have the effects s_kᵀ E
 //! and forces s_kᵀ (f - M a_0); rows see a_0 at their right-hand side. They stand in the last three places of the body's
-//! node; the first ones, and the joint's own, are coupled to nothing. Its multipliers are not found: where they are asked for,
+//! node, of which the first ones are coupled to nothing; the joint has no block at all. Its multipliers are not found: where they are asked for,
 //! the equations of all rows are solved.
 
 use nalgebra::{RealField, Vector3};
