@@ -33,6 +33,8 @@ pub struct MacroCalls<'a> {
     pub scalar: ScalarType,
     /// The function with the accelerations of the whole mechanism, if there is one.
     pub accelerations: Option<&'a str>,
+    /// The same for linearly implicit stages.
+    pub implicit_accelerations: Option<&'a str>,
 }
 
 impl Scene {
@@ -87,8 +89,12 @@ pub fn macro_calls(file: &SceneFile, folder: &Path, calls: &MacroCalls<'_>) -> S
     if calls.scalar == ScalarType::F32 {
         text.push_str("        scalar: f32,\n");
     }
-    if let Some(function) = calls.accelerations {
-        let _ = writeln!(text, "        accelerations: {function},");
+    let printed =
+        [("accelerations", calls.accelerations), ("implicit_accelerations", calls.implicit_accelerations)];
+    for (key, function) in printed {
+        if let Some(function) = function {
+            let _ = writeln!(text, "        {key}: {function},");
+        }
     }
     text.push_str("    }\n}\n");
     text

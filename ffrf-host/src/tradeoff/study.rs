@@ -243,7 +243,8 @@ impl Study {
             })
             .collect();
         let scalar = configuration.scalar;
-        let calls = MacroCalls { title, bodies: &calls, scalar, accelerations: None };
+        let calls =
+            MacroCalls { title, bodies: &calls, scalar, accelerations: None, implicit_accelerations: None };
         let text = macro_calls(&self.file, &self.folder, &calls);
         let (name, step) = (configuration.integrator.name(), configuration.step);
         format!("{text}// integrator: {name}, steps of {step:e} s\n")

@@ -92,6 +92,23 @@ pub trait Assembly<T: RealField + Copy> {
         let _ = (time, state, increment);
         None
     }
+    /// What [`StiffSystem::implicit_rates`](crate::integrators::StiffSystem::implicit_rates) gives at `state`, to which
+    /// `increment` has led, where joints are kept by [`Treatment::Projection`], from code that holds the whole mechanism at once;
+    /// `None` as in [`straight_rates`](Self::straight_rates). `gamma_h`: s.
+    ///
+    /// Linearly implicit stages ask for it, and where joints are so kept corrections of implicit methods do.
+    #[inline(always)]
+    fn straight_implicit_rates(
+        &self,
+        time: T,
+        state: &Self::State,
+        increment: &Self::Increment,
+        gamma_h: T,
+        subtracted: Option<&Self::Increment>,
+    ) -> Option<Self::Increment> {
+        let _ = (time, state, increment, gamma_h, subtracted);
+        None
+    }
     /// Applies the resulting motion of `ports` to their state: displacements, or changes of velocity.
     fn correct(&self, ports: &mut Self::Ports<'_>, level: Level);
     /// The state of `ports`.

@@ -104,6 +104,45 @@ impl<A> Constrained<'_, A> {
         })
     }
 
+    /// [`StiffSystem::implicit_rates`] by the general equations, at `state`, to which `increment` has led.
+    ///
+    /// Errors: see [`StepError`].
+    pub fn implicit_rates_at<T>(
+        &self,
+        time: T,
+        state: A::State,
+        increment: &A::Increment,
+        gamma_h: T,
+        subtracted: Option<&A::Increment>,
+    ) -> Result<A::Increment, StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let chart = self.0.soft(0).map(|_| increment);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
+        let target = self.0.treatment().target();
+        if self.0.friction(0).is_none() {
+            return self
+                .solve(time, state, implicit, target, None, |ports, _| self.0.collect(ports, increment));
+        }
+        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first, of this
+        // stage and of one half as long, which tells them at the state itself
+        let whole = |gamma_h| Some(ImplicitTerms { gamma_h, subtracted: None, chart });
+        let half: T = nalgebra::convert(0.5);
+        self.solve(time, state.clone(), whole(gamma_h), target, None, |_, far| {
+            self.solve(time, state.clone(), whole(gamma_h * half), target, None, |_, near| {
+                for (near, far) in near.efforts.iter_mut().zip(far.efforts.iter()) {
+                    *near = extrapolated(*near, *far);
+                }
+                let efforts = Some(&*near.efforts);
+                self.solve(time, state, implicit, target, efforts, |ports, _| {
+                    self.0.collect(ports, increment)
+                })
+            })?
+        })?
+    }
+
     /// The bodies in a step of the energy-momentum method.
     fn in_step<'a, T>(
         &'a self,
@@ -305,28 +344,10 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
         subtracted: Option<&Self::Increment>,
     ) -> Result<Self::Increment, StepError> {
         let state = self.0.retract(origin, increment);
-        let chart = self.0.soft(0).map(|_| increment);
-        let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
-        let target = self.0.treatment().target();
-        if self.0.friction(0).is_none() {
-            return self
-                .solve(time, state, implicit, target, None, |ports, _| self.0.collect(ports, increment));
+        if let Some(rates) = self.0.straight_implicit_rates(time, &state, increment, gamma_h, subtracted) {
+            return Ok(rates);
         }
-        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first, of this
-        // stage and of one half as long, which tells them at the state itself
-        let whole = |gamma_h| Some(ImplicitTerms { gamma_h, subtracted: None, chart });
-        let half: T = nalgebra::convert(0.5);
-        self.solve(time, state.clone(), whole(gamma_h), target, None, |_, far| {
-            self.solve(time, state.clone(), whole(gamma_h * half), target, None, |_, near| {
-                for (near, far) in near.efforts.iter_mut().zip(far.efforts.iter()) {
-                    *near = extrapolated(*near, *far);
-                }
-                let efforts = Some(&*near.efforts);
-                self.solve(time, state, implicit, target, efforts, |ports, _| {
-                    self.0.collect(ports, increment)
-                })
-            })?
-        })?
+        self.implicit_rates_at(time, state, increment, gamma_h, subtracted)
     }
 }
 
@@ -342,9 +363,15 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
         let assembly = self.0;
         let state = assembly.retract(origin, increment);
         let subtracted = elastic_at_rest(self, origin, increment, accelerations);
+        let treatment = assembly.treatment();
+        if let Treatment::Projection { .. } = treatment
+            && let Some(rates) =
+                assembly.straight_implicit_rates(time, &state, increment, gamma_h, Some(&subtracted))
+        {
+            return Ok(Correction { accelerations: assembly.velocities_only(&rates), places: None });
+        }
         let chart = assembly.soft(0).map(|_| increment);
         let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(&subtracted), chart });
-        let treatment = assembly.treatment();
         let target = match treatment {
             Treatment::Index3 => Target::Position { share: gamma_h * gamma_h },
             Treatment::StabilisedIndex2 => Target::Velocity { share: gamma_h },

@@ -1,18 +1,131 @@
-//! Accelerations by a function that was printed for the mechanism: its arguments, and what its result is to integrators.
+//! Accelerations by functions that were printed for the mechanism: their arguments, and what their results are to integrators.
 
 use proc_macro2::TokenStream;
 use quote::{quote, quote_spanned};
+use syn::Path;
 use syn::spanned::Spanned as _;
 
 use super::{Names, slice, slice_mut};
 use crate::mechanism::bodies::Body;
 use crate::mechanism::spec::Spec;
 
-/// `Assembly::straight_rates`, if the mechanism has such a function.
-pub(super) fn straight_rates(names: &Names, spec: &Spec) -> Option<TokenStream> {
-    let path = spec.accelerations.as_ref()?;
-    let (state, t, connections) = (&names.state, spec.scalar.name(), spec.connections);
-    let body_count: usize = spec.bodies.iter().map(Body::len).sum();
+/// `Assembly::straight_rates` and `Assembly::straight_implicit_rates`, as far as the mechanism has such functions.
+pub(super) fn straight_rates(names: &Names, spec: &Spec) -> TokenStream {
+    let explicit = spec.accelerations.as_ref().map(|path| explicit(names, spec, path));
+    let implicit = spec.implicit_accelerations.as_ref().map(|path| implicit(names, spec, path));
+    quote! { #explicit #implicit }
+}
+
+fn explicit(names: &Names, spec: &Spec, path: &Path) -> TokenStream {
+    let (t, connections) = (spec.scalar.name(), spec.connections);
+    let (sizes, arguments) = (sizes(names, spec), arguments(spec));
+    let rates = results(spec, |body| {
+        let (own, states) = (slice_mut(body, &quote! { rates }), slice(body, &quote! { state }));
+        quote! {
+            for (own, state) in #own.iter_mut().zip(#states) {
+                *own = support::rate_with(own, state, &mut accelerations);
+            }
+        }
+    });
+    // a constant, so that sizes that do not fit are told at the path
+    let function = quote_spanned! { path.span() =>
+        const FUNCTION: fn(&[#t; SIZE], &[[#t; 3]; #connections], &mut [#t; ACCELERATIONS]) -> bool = #path;
+    };
+    quote! {
+        fn straight_rates(
+            &self,
+            time: #t,
+            state: &Self::State,
+            increment: &Self::Increment,
+        ) -> ::core::option::Option<Self::Increment> {
+            #sizes
+            #function
+            #arguments
+            if !FUNCTION(&numbers, &drives, &mut accelerations) {
+                return ::core::option::Option::None;
+            }
+            #rates
+        }
+    }
+}
+
+fn implicit(names: &Names, spec: &Spec, path: &Path) -> TokenStream {
+    let (t, connections) = (spec.scalar.name(), spec.connections);
+    let (sizes, arguments) = (sizes(names, spec), arguments(spec));
+    let body_count = body_count(spec);
+    let less = spec.bodies.iter().map(|body| {
+        let (less, charts) = (slice(body, &quote! { all }), slice(body, &quote! { increment }));
+        quote! {
+            for (subtracted, increment) in #less.iter().zip(#charts) {
+                support::put_subtracted(subtracted, increment, &mut places);
+            }
+        }
+    });
+    let follow = spec.soft.is_some();
+    let rates = results(spec, |body| {
+        let (own, states) = (slice_mut(body, &quote! { rates }), slice(body, &quote! { state }));
+        let less = slice(body, &quote! { all });
+        quote! {
+            let mut less = subtracted.map(|all| #less.iter());
+            for (own, state) in #own.iter_mut().zip(#states) {
+                let less = less.as_mut().and_then(::core::iter::Iterator::next);
+                *own = support::implicit_rate_with(own, state, &mut accelerations, gamma_h, less, #follow);
+            }
+        }
+    });
+    let function = quote_spanned! { path.span() =>
+        const FUNCTION: fn(
+            &[#t; SIZE],
+            &[#t; SUBTRACTED],
+            #t,
+            &[[#t; 3]; #connections],
+            &mut [#t; ACCELERATIONS],
+        ) -> bool = #path;
+    };
+    quote! {
+        fn straight_implicit_rates(
+            &self,
+            time: #t,
+            state: &Self::State,
+            increment: &Self::Increment,
+            gamma_h: #t,
+            subtracted: ::core::option::Option<&Self::Increment>,
+        ) -> ::core::option::Option<Self::Increment> {
+            #sizes
+            // of each body one number less
+            const SUBTRACTED: usize = SIZE - #body_count;
+            #function
+            #arguments
+            let mut less: [#t; SUBTRACTED] = [0.0; SUBTRACTED];
+            if let ::core::option::Option::Some(all) = subtracted {
+                let mut places = less.iter_mut();
+                #(#less)*
+            }
+            if !FUNCTION(&numbers, &less, gamma_h, &drives, &mut accelerations) {
+                return ::core::option::Option::None;
+            }
+            #rates
+        }
+    }
+}
+
+fn body_count(spec: &Spec) -> usize {
+    spec.bodies.iter().map(Body::len).sum()
+}
+
+/// How many numbers a state and its accelerations have.
+fn sizes(names: &Names, spec: &Spec) -> TokenStream {
+    let (state, body_count) = (&names.state, body_count(spec));
+    quote! {
+        const SIZE: usize = #state::SIZE;
+        // of 13 + 2 M numbers of each body, 6 + M
+        const ACCELERATIONS: usize = (SIZE - #body_count) / 2;
+    }
+}
+
+/// `numbers` of the state, `drives`, and a place for `accelerations`.
+fn arguments(spec: &Spec) -> TokenStream {
+    let (t, connections) = (spec.scalar.name(), spec.connections);
     let put = spec.bodies.iter().map(|body| {
         let states = slice(body, &quote! { state });
         quote! { for state in #states { support::put_state(state, &mut places); } }
@@ -29,45 +142,26 @@ pub(super) fn straight_rates(names: &Names, spec: &Spec) -> Option<TokenStream> 
             }
         }
     });
-    let rates = spec.bodies.iter().map(|body| {
-        let (own, states) = (slice_mut(body, &quote! { rates }), slice(body, &quote! { state }));
-        quote! {
-            for (own, state) in #own.iter_mut().zip(#states) {
-                *own = support::rate_with(own, state, &mut accelerations);
-            }
+    quote! {
+        if let ::ffrf::mechanism::Treatment::Baumgarte { .. } = self.treatment {
+            return ::core::option::Option::None;
         }
-    });
-    // a constant, so that sizes that do not fit are told at the path
-    let function = quote_spanned! { path.span() =>
-        const FUNCTION: fn(&[#t; SIZE], &[[#t; 3]; #connections], &mut [#t; ACCELERATIONS]) -> bool = #path;
-    };
-    Some(quote! {
-        fn straight_rates(
-            &self,
-            time: #t,
-            state: &Self::State,
-            increment: &Self::Increment,
-        ) -> ::core::option::Option<Self::Increment> {
-            const SIZE: usize = #state::SIZE;
-            // of 13 + 2 M numbers of each body, 6 + M
-            const ACCELERATIONS: usize = (SIZE - #body_count) / 2;
-            #function
-            if let ::ffrf::mechanism::Treatment::Baumgarte { .. } = self.treatment {
-                return ::core::option::Option::None;
-            }
-            let mut numbers: [#t; SIZE] = [0.0; SIZE];
-            let mut places = numbers.iter_mut();
-            #(#put)*
-            let mut drives: [[#t; 3]; #connections] = [[0.0; 3]; #connections];
-            #(#driven)*
-            let mut accelerations: [#t; ACCELERATIONS] = [0.0; ACCELERATIONS];
-            if !FUNCTION(&numbers, &drives, &mut accelerations) {
-                return ::core::option::Option::None;
-            }
-            let mut accelerations = accelerations.iter().copied();
-            let mut rates = *increment;
-            #(#rates)*
-            ::core::option::Option::Some(rates)
-        }
-    })
+        let mut numbers: [#t; SIZE] = [0.0; SIZE];
+        let mut places = numbers.iter_mut();
+        #(#put)*
+        let mut drives: [[#t; 3]; #connections] = [[0.0; 3]; #connections];
+        #(#driven)*
+        let mut accelerations: [#t; ACCELERATIONS] = [0.0; ACCELERATIONS];
+    }
+}
+
+/// The rates of all bodies from the accelerations, those of each by `rates`.
+fn results(spec: &Spec, rates: impl Fn(&Body) -> TokenStream) -> TokenStream {
+    let rates = spec.bodies.iter().map(rates);
+    quote! {
+        let mut accelerations = accelerations.iter().copied();
+        let mut rates = *increment;
+        #(#rates)*
+        ::core::option::Option::Some(rates)
+    }
 }
