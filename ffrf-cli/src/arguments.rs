@@ -21,7 +21,7 @@ use ffrf_fe::reduction::{Damping, DampingBand};
 use ffrf_model::Units;
 
 pub use budget::{Budget, Core, TargetIntegrator, TargetScalar};
-pub use code::{Generate, Inspect};
+pub use code::{Generate, ImplicitStages, Inspect};
 pub use convert::Convert;
 pub use export::{Export, ExportFmu, ExportFormat, FmiVersion};
 pub use interfaces::{CouplingArgument, InterfaceArgument, InterfaceChoice};

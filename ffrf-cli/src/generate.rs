@@ -8,7 +8,7 @@ use ffrf_codegen::{Fidelity, FusedMultiplyAdd, GenerateOptions, Language, Strate
 use ffrf_host::scene::Scene;
 use ffrf_model::{ModeSelection, ReducedBody};
 
-use crate::arguments::Generate;
+use crate::arguments::{Generate, ImplicitStages};
 use crate::output;
 
 mod straight_line;
@@ -26,10 +26,15 @@ pub fn run(arguments: &Generate) -> Result<()> {
         layout_tolerance: arguments.layout_tolerance,
         ..GenerateOptions::default()
     };
+    let scene =
+        arguments.model.as_deref().filter(|model| model.extension().is_some_and(|name| name == "toml"));
+    if arguments.implicit == ImplicitStages::On && (scene.is_none() || arguments.language != Language::Rust) {
+        bail!("--implicit on: expected a scene and --language rust");
+    }
+    if let Some(scene) = scene {
+        return mechanism(arguments, scene, options);
+    }
     let code = match (&arguments.model, &arguments.layout, &arguments.modes) {
-        (Some(scene), ..) if scene.extension().is_some_and(|extension| extension == "toml") => {
-            return mechanism(arguments, scene, options);
-        }
         (Some(model), _, modes) => {
             let body = ReducedBody::read(model)?;
             let source_name = model.file_name().map(|name| name.to_string_lossy().into_owned());

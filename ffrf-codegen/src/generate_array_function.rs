@@ -1,6 +1,6 @@
 //! From an array function to text.
 
-use crate::array_function::{ArrayFunction, ArrayInput, Call, Relation};
+use crate::array_function::{ArrayFunction, ArrayInput, Call, InputForm, Relation};
 use crate::counts::OperationCounts;
 use crate::expression::Extent;
 use crate::formulate::{Draft, Kernel, Output, Shape, Signature};
@@ -59,8 +59,12 @@ pub fn generate_array_function(
         fused => passes::run_with_inverses(kernel, fused),
     };
     let counts = OperationCounts::of(&kernel);
-    let values =
-        ArrayInput { name: Call::ENTRY, entry: Call::ENTRY, count: function.calls.len(), inner: None };
+    let values = ArrayInput {
+        name: Call::ENTRY,
+        entry: Call::ENTRY,
+        count: function.calls.len(),
+        form: InputForm::Flat,
+    };
     let inputs: Vec<ArrayInput> = function.inputs.iter().copied().chain([values]).collect();
     let kernel = ValidKernel::of_arrays(kernel, options.scalar, &inputs)?;
     Ok(GeneratedArrayFunction { text: emit::rust_array_function(function, &kernel, options), counts })

@@ -38,7 +38,7 @@ mod prepare;
 mod report;
 mod validate;
 
-pub use array_function::{ArrayFunction, ArrayInput, Call, Condition, Function, Relation};
+pub use array_function::{ArrayFunction, ArrayInput, Call, Condition, Function, InputForm, Relation};
 pub use counts::OperationCounts;
 pub use emit::snake_case;
 pub use error::CodegenError;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{ArgAction, Args};
+use clap::{ArgAction, Args, ValueEnum};
 use ffrf_codegen::layout::Layout;
 use ffrf_codegen::{DEFAULT_LAYOUT_TOLERANCE, Fidelity, FusedMultiplyAdd, Language, ScalarType, Strategy};
 use ffrf_model::ModeSelection;
@@ -24,6 +24,17 @@ pub struct Inspect {
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
     #[arg(long, value_name = "X", default_value_t = DEFAULT_LAYOUT_TOLERANCE, value_parser = parse_tolerance)]
     pub layout_tolerance: f64,
+}
+
+/// When linearly implicit stages are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ImplicitStages {
+    /// Where the integrator of the scene has them.
+    Auto,
+    /// Always.
+    On,
+    /// Never.
+    Off,
 }
 
 /// `ffrf generate`
@@ -67,6 +78,10 @@ pub struct Generate {
     /// Whether products and sums are contracted.
     #[arg(long, default_value = "auto", value_parser = named(FusedMultiplyAdd::ALL.map(FusedMultiplyAdd::name), FusedMultiplyAdd::from_name))]
     pub fma: FusedMultiplyAdd,
+    /// Whether a scene in Rust has its linearly implicit stages in straight-line code as well: auto is on where the integrator
+    /// of the scene has such stages (linearly_implicit, linearly_implicit_euler, generalized_alpha, radau5, radau7).
+    #[arg(long, value_name = "WHEN", default_value = "auto")]
+    pub implicit: ImplicitStages,
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
     #[arg(long, value_name = "X", default_value_t = DEFAULT_LAYOUT_TOLERANCE, value_parser = parse_tolerance)]
     pub layout_tolerance: f64,

@@ -27,6 +27,7 @@ fn what_is_printed_is_what_is_compiled() {
             "../../tests/golden/straight_slider_crank_m8.rs",
         ),
         (benches, "scenes/pendulum_n8.toml", "../../tests/golden/straight_pendulum_n8.rs"),
+        (benches, "scenes/supported_rod.toml", "../../tests/golden/straight_supported_rod.rs"),
     ];
     for (folder, words, file) in committed {
         let text = run(folder, &format!("generate {words}")).succeeded();
@@ -44,6 +45,23 @@ fn what_is_printed_is_what_is_compiled() {
     }
 }
 
+/// Implicit stages cost flash: they are printed where the integrator of the scene has them, or where they are asked for.
+#[test]
+fn implicit_stages_are_printed_where_they_are_needed() {
+    let [explicit, implicit] = ["models/scenes/double_pendulum.toml", "models/scenes/flexible_pendulum.toml"];
+    for (words, expected) in [
+        (explicit.to_owned(), false),
+        (format!("{explicit} --implicit on"), true),
+        (implicit.to_owned(), true),
+        (format!("{implicit} --implicit off"), false),
+    ] {
+        let text = run("", &format!("generate {words}")).succeeded();
+        let key = text.lines().any(|line| line.trim_start().starts_with("implicit_accelerations: "));
+        let function = text.contains("_implicit_accelerations(\n");
+        assert_eq!((key, function), (expected, expected), "{words}");
+    }
+}
+
 #[test]
 fn what_straight_line_code_cannot_have_is_refused() {
     let scene = "models/scenes/slider_crank.toml";
@@ -52,6 +70,11 @@ fn what_straight_line_code_cannot_have_is_refused() {
         (format!("{scene} --strategy lanes"), ["--strategy lanes", "expected auto or straight_line"]),
         (format!("{scene} --jacobians"), ["--jacobians", "no Jacobians"]),
         (format!("{scene} --modes 2"), ["--modes", "`modes` of the bodies in the scene"]),
+        (format!("{scene} --implicit on --language c"), ["--implicit on", "a scene and --language rust"]),
+        (
+            "models/conrod.ffrf.json --implicit on".to_owned(),
+            ["--implicit on", "a scene and --language rust"],
+        ),
         ("models/scenes/flexible_rotor.toml".to_owned(), ["forces.motor", "expected a scene without it"]),
         ("models/scenes/crane.toml".to_owned(), ["atan2", "a scene without torsion springs"]),
     ] {

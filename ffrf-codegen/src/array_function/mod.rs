@@ -11,7 +11,18 @@ pub use condition::{Condition, Relation};
 
 use crate::expression::{Expression, Graph, Symbol, evaluate};
 
-/// An array of inputs.
+/// How the entries of an input stand in its argument.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InputForm {
+    /// The only one, by value.
+    Number,
+    /// One behind the other.
+    Flat,
+    /// In inner arrays of so many.
+    Nested(usize),
+}
+
+/// An array of inputs, or one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ArrayInput {
     /// Name of the argument.
@@ -20,8 +31,8 @@ pub struct ArrayInput {
     pub entry: &'static str,
     /// Number of entries.
     pub count: usize,
-    /// How many entries stand in one inner array; none in a flat one.
-    pub inner: Option<usize>,
+    /// How they stand there.
+    pub form: InputForm,
 }
 
 impl ArrayInput {

@@ -35,6 +35,10 @@ pub struct MacroCalls<'a> {
     pub layout_tolerance: f64,
     /// The function with the accelerations of the whole mechanism, if there is one.
     pub accelerations: Option<&'a str>,
+    /// The same for linearly implicit stages.
+    pub implicit_accelerations: Option<&'a str>,
+    /// The function that projects it onto its joints.
+    pub projection: Option<&'a str>,
 }
 
 impl Scene {
@@ -92,8 +96,15 @@ pub fn macro_calls(file: &SceneFile, folder: &Path, calls: &MacroCalls<'_>) -> S
     if calls.scalar == ScalarType::F32 {
         text.push_str("        scalar: f32,\n");
     }
-    if let Some(function) = calls.accelerations {
-        let _ = writeln!(text, "        accelerations: {function},");
+    let printed = [
+        ("accelerations", calls.accelerations),
+        ("implicit_accelerations", calls.implicit_accelerations),
+        ("projection", calls.projection),
+    ];
+    for (key, function) in printed {
+        if let Some(function) = function {
+            let _ = writeln!(text, "        {key}: {function},");
+        }
     }
     text.push_str("    }\n}\n");
     text

@@ -56,6 +56,18 @@ impl Integrator {
         matches!(self, Self::SymplecticEuler | Self::Rk4 | Self::Dopri5)
     }
 
+    /// Whether it solves linearly implicit stages.
+    pub fn has_implicit_stages(self) -> bool {
+        matches!(
+            self,
+            Self::LinearlyImplicit
+                | Self::LinearlyImplicitEuler
+                | Self::GeneralizedAlpha
+                | Self::Radau5
+                | Self::Radau7
+        )
+    }
+
     /// The treatments of constraints that it goes with; the first is the default.
     pub fn treatments(self) -> &'static [&'static str] {
         match self {

@@ -2,14 +2,19 @@
 
 use ffrf_codegen::ArrayFunction;
 use ffrf_codegen::expression::Expression;
-use ffrf_runtime::System;
 use ffrf_runtime::mechanism::{Assembly, Constrained, Treatment};
+use ffrf_runtime::{State, StepError, System};
 use ffrf_trace::{Tape, Traced, record};
 
 use super::StraightLineError;
 use super::arguments::Arguments;
-use crate::HostMechanism;
 use crate::scene::Scene;
+use crate::{HostMechanism, HostModal};
+
+/// The scene's mechanism on numbers that write down what is computed with them.
+pub(super) type TracedSystem<'a> = Constrained<'a, HostMechanism<Traced>>;
+/// The states of all its bodies.
+pub(super) type TracedStates = Vec<State<HostModal<Traced>, Traced>>;
 
 /// How far the state at which the equations are run is from the initial one, in the units of each number: at rest, stretched or
 /// parallel to an axis, comparisons come out as they do nowhere else. The first one at which there are accelerations is taken:
@@ -31,13 +36,10 @@ const OFF: [f64; 3] = [1e-3, 1e-6, 1e-9];
 pub fn accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, StraightLineError> {
     check(scene)?;
     let arguments = Arguments::of(scene);
-    let mut trace = trace(scene, &arguments, OFF[0]);
-    for off in &OFF[1..] {
-        if trace.is_err() {
-            trace = self::trace(scene, &arguments, *off);
-        }
-    }
-    let (results, tape) = trace?;
+    let (results, tape) = trace(scene, &arguments, |system, state, _| {
+        let rates = system.rates(Traced::number(0.0), state, &system.no_change(state))?;
+        Ok(Arguments::results(&rates))
+    })?;
     let documentation = [
         "Constrained accelerations of the whole mechanism, in straight-line code.",
         "",
@@ -49,7 +51,11 @@ pub fn accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, Straigh
     ];
     Ok(ArrayFunction {
         name: name.to_owned(),
-        documentation: documentation.into_iter().map(str::to_owned).chain(arguments.table.clone()).collect(),
+        documentation: documentation
+            .into_iter()
+            .map(str::to_owned)
+            .chain(arguments.table(&[("state", 13, 2), ("accelerations", 6, 1)]))
+            .collect(),
         inputs: vec![arguments.state, arguments.drives],
         output: "accelerations",
         graph: tape.graph,
@@ -59,28 +65,31 @@ pub fn accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, Straigh
     })
 }
 
-/// Runs the equations.
-fn trace(
+/// Runs the equations: the `results` in a state that is so far off the initial one.
+pub(super) fn trace(
     scene: &Scene,
     arguments: &Arguments,
-    off: f64,
+    results: impl Fn(&TracedSystem<'_>, &TracedStates, f64) -> Result<Vec<Traced>, StepError>,
 ) -> Result<(Vec<Expression>, Tape), StraightLineError> {
-    let (results, tape) = record(|| {
-        let drives = arguments.drive_values(scene, off);
-        let mechanism: HostMechanism<Traced> = scene.mechanism.cast().with_drive_values(drives);
-        let system = Constrained(&mechanism);
-        let state = arguments.state(scene, off);
-        let rates = system.rates(Traced::number(0.0), &state, &system.no_change(&state))?;
-        Ok(Arguments::results(&rates).into_iter().map(Traced::expression).collect())
-    });
-    if !tape.missing.is_empty() {
-        return Err(StraightLineError::Functions { functions: tape.missing.join(", ") });
-    }
-    Ok((results.map_err(StraightLineError::Accelerations)?, tape))
+    let at = |off: f64| {
+        let (found, tape) = record(|| {
+            let drives = arguments.drive_values(scene, off);
+            let mechanism: HostMechanism<Traced> = scene.mechanism.cast().with_drive_values(drives);
+            let state = arguments.state(scene, off);
+            let numbers = results(&Constrained(&mechanism), &state, off)?;
+            Ok(numbers.into_iter().map(Traced::expression).collect())
+        });
+        if !tape.missing.is_empty() {
+            return Err(StraightLineError::Functions { functions: tape.missing.join(", ") });
+        }
+        Ok((found.map_err(StraightLineError::Accelerations)?, tape))
+    };
+    let [first, second, third] = OFF;
+    at(first).or_else(|_| at(second)).or_else(|_| at(third))
 }
 
 /// Refuses what changes while code stays as it is.
-fn check(scene: &Scene) -> Result<(), StraightLineError> {
+pub(super) fn check(scene: &Scene) -> Result<(), StraightLineError> {
     let unknown = |name: &String| Err(StraightLineError::Unknown { what: format!("forces.{name}") });
     if let Some(name) = scene.actuator_names.first() {
         return unknown(name);

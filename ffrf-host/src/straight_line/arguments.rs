@@ -1,9 +1,9 @@
 //! The arrays that the code takes and gives.
 
-use ffrf_codegen::ArrayInput;
-use ffrf_runtime::State;
+use ffrf_codegen::{ArrayInput, InputForm};
+use ffrf_runtime::{Increment, State};
 use ffrf_trace::Traced;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
 
 use crate::scene::Scene;
 use crate::{HostModal, mechanism::HostIncrement};
@@ -19,38 +19,45 @@ impl Scatter {
     }
 }
 
-/// State and drives of a scene, entry by entry.
+/// State and drives of a scene, and what a linearly implicit stage has besides, entry by entry.
 pub(super) struct Arguments {
     pub(super) state: ArrayInput,
     pub(super) drives: ArrayInput,
-    /// What is where, a line for each body.
-    pub(super) table: Vec<String>,
+    pub(super) subtracted: ArrayInput,
+    pub(super) gamma_h: ArrayInput,
+    /// Number of modes of each body, behind its name.
+    bodies: Vec<(String, usize)>,
 }
 
 impl Arguments {
     pub(super) fn of(scene: &Scene) -> Self {
-        let modes: Vec<usize> = scene.initial.iter().map(|state| state.modal_coordinates.0.len()).collect();
-        let drives = scene.mechanism.drives();
-        let (mut first, mut result) = (0, 0);
-        let table = scene.body_names.iter().zip(&modes).map(|(name, modes)| {
-            let line = format!(
-                "{name} ({modes} modes): state {first}..{}, accelerations {result}..{}",
-                first + 13 + 2 * modes,
-                result + 6 + modes
-            );
-            (first, result) = (first + 13 + 2 * modes, result + 6 + modes);
-            line
-        });
+        let modes = scene.initial.iter().map(|state| state.modal_coordinates.0.len());
+        let bodies: Vec<(String, usize)> = scene.body_names.iter().cloned().zip(modes).collect();
+        let count = |rigid: usize| bodies.iter().map(|(_, modes)| rigid + 2 * modes).sum();
+        let array = |name, entry, count, form| ArrayInput { name, entry, count, form };
         Self {
-            table: table.collect(),
-            state: ArrayInput {
-                name: "state",
-                entry: "state",
-                count: modes.iter().map(|modes| 13 + 2 * modes).sum(),
-                inner: None,
-            },
-            drives: ArrayInput { name: "drives", entry: "drive", count: 3 * drives.len(), inner: Some(3) },
+            state: array("state", "state", count(13), InputForm::Flat),
+            drives: array("drives", "drive", 3 * scene.mechanism.drives().len(), InputForm::Nested(3)),
+            subtracted: array("subtracted", "subtracted", count(12), InputForm::Flat),
+            gamma_h: array("gamma_h", "gamma_h", 1, InputForm::Number),
+            bodies,
         }
+    }
+
+    /// What is where, a line for each body; arrays with so many numbers of each of them without modes and for each of its modes.
+    pub(super) fn table(&self, arrays: &[(&str, usize, usize)]) -> Vec<String> {
+        let mut first = vec![0; arrays.len()];
+        let bodies = self.bodies.iter();
+        bodies
+            .map(|(name, modes)| {
+                let places = arrays.iter().zip(&mut first).map(|((array, rigid, each), first)| {
+                    let start = *first;
+                    *first += rigid + each * modes;
+                    format!("{array} {start}..{first}")
+                });
+                format!("{name} ({modes} modes): {}", places.collect::<Vec<_>>().join(", "))
+            })
+            .collect()
     }
 
     /// The state as inputs, with values `off` those that the scene begins with.
@@ -80,6 +87,38 @@ impl Arguments {
                 }
             })
             .collect()
+    }
+
+    /// What a linearly implicit stage subtracts, as inputs with values `off` zero.
+    pub(super) fn subtracted(&self, off: f64) -> HostIncrement<Traced> {
+        let (mut index, mut scatter) = (0, Scatter(2));
+        let mut input = || {
+            let input = Traced::input(self.subtracted.symbol(index), off * scatter.next());
+            index += 1;
+            input
+        };
+        let bodies = self.bodies.iter();
+        HostIncrement(
+            bodies
+                .map(|(_, modes)| {
+                    let mut zeros =
+                        Increment::zeros(&HostModal(DVector::from_element(*modes, Traced::number(0.0))));
+                    // the order is that of the array
+                    zeros.position.apply(|place| *place = input());
+                    zeros.rotation.apply(|place| *place = input());
+                    zeros.modal_coordinates.0.apply(|place| *place = input());
+                    zeros.velocity.apply(|place| *place = input());
+                    zeros.angular_velocity.apply(|place| *place = input());
+                    zeros.modal_rates.0.apply(|place| *place = input());
+                    zeros
+                })
+                .collect(),
+        )
+    }
+
+    /// γ h as an input.
+    pub(super) fn gamma_h(&self, near: f64) -> Traced {
+        Traced::input(self.gamma_h.symbol(0), near)
     }
 
     /// Value, rate and acceleration of the drive of each connection as inputs; zeros for those without one.

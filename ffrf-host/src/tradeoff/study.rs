@@ -243,8 +243,15 @@ impl Study {
             })
             .collect();
         let scalar = configuration.scalar;
-        let layout_tolerance = DEFAULT_LAYOUT_TOLERANCE;
-        let calls = MacroCalls { title, bodies: &calls, scalar, layout_tolerance, accelerations: None };
+        let calls = MacroCalls {
+            title,
+            bodies: &calls,
+            scalar,
+            layout_tolerance: DEFAULT_LAYOUT_TOLERANCE,
+            accelerations: None,
+            implicit_accelerations: None,
+            projection: None,
+        };
         let text = macro_calls(&self.file, &self.folder, &calls);
         let (name, step) = (configuration.integrator.name(), configuration.step);
         format!("{text}// integrator: {name}, steps of {step:e} s\n")

@@ -32,6 +32,12 @@ pub(super) struct Spec {
     pub(super) sensors: Vec<Sensor>,
     /// A function that was printed for this mechanism and gives its accelerations, if there is one.
     pub(super) accelerations: Option<Path>,
+    /// The same for linearly implicit stages.
+    pub(super) implicit_accelerations: Option<Path>,
+    /// One that projects it onto its joints.
+    pub(super) projection: Option<Path>,
+    /// Rows of all joints and drives.
+    pub(super) rows: usize,
     /// Number of joints, with drives.
     pub(super) connections: usize,
     /// Flexible bodies with many joints and soft links.
@@ -69,7 +75,7 @@ impl Plans {
     }
 }
 
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 12] = [
     "bodies",
     "gravity",
     "joints",
@@ -79,6 +85,8 @@ const KEYS: [&str; 10] = [
     "forces",
     "sensors",
     "accelerations",
+    "implicit_accelerations",
+    "projection",
     "scalar",
 ];
 
@@ -159,9 +167,12 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         .into_iter()
         .filter_map(|entry| sensor(entry, &mut bodies, &joints, &drives, &scalar, &mut mistakes))
         .collect();
-    let accelerations = find("accelerations").and_then(|field| accelerations(field, scalar, &mut mistakes));
-    if accelerations.is_some() {
-        check_known(find("constraints"), &controls, &forces, &mut mistakes);
+    let printed = ["accelerations", "implicit_accelerations", "projection"].map(find);
+    let [explicit, implicit, projection] =
+        printed.map(|field| field.and_then(|field| accelerations(field, scalar, &mut mistakes)));
+    // once is enough: what one of them cannot know of the other cannot either
+    if let Some(field) = printed.into_iter().flatten().next() {
+        check_known(&field.key, find("constraints"), &controls, &forces, &mut mistakes);
     }
     if mistakes.0.is_none() {
         check_held(&bodies, &joints, &mut mistakes);
@@ -185,7 +196,10 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         drives,
         forces,
         sensors,
-        accelerations,
+        accelerations: explicit,
+        implicit_accelerations: implicit,
+        projection,
+        rows: topology.joints.iter().map(|joint| joint.rows).sum(),
         connections,
         hubs,
         plan,

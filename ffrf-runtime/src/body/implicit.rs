@@ -89,15 +89,20 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
         gamma_h: T,
         subtracted: Option<&Self>,
     ) -> Self {
-        let modal_rates = accelerations.modal.clone();
         let mut rate = self.rate(state, accelerations);
-        rate.modal_coordinates.add_scaled(gamma_h, &modal_rates);
-        if let Some(subtracted) = subtracted {
-            rate.position -= subtracted.position;
-            rate.rotation -= subtracted.rotation;
-            rate.modal_coordinates.add_scaled(-T::one(), &subtracted.modal_coordinates);
-        }
+        rate.look_ahead(gamma_h, subtracted);
         rate
+    }
+
+    /// Lets rates of the modal coordinates see the end of a linearly implicit stage, and takes from those of all places what is
+    /// subtracted.
+    pub(crate) fn look_ahead(&mut self, gamma_h: T, subtracted: Option<&Self>) {
+        self.modal_coordinates.add_scaled(gamma_h, &self.modal_rates);
+        if let Some(subtracted) = subtracted {
+            self.position -= subtracted.position;
+            self.rotation -= subtracted.rotation;
+            self.modal_coordinates.add_scaled(-T::one(), &subtracted.modal_coordinates);
+        }
     }
 
     /// Lets the rates of frames' places see the end of a linearly implicit stage, as those of modes do: for soft rows, which

@@ -3,7 +3,7 @@
 use nalgebra::RealField;
 
 use super::{
-    Connection, Energy, Equations, ImplicitTerms, JointFriction, Level, Momentum, Plan, Ports,
+    Connection, Energy, Equations, ImplicitTerms, JointFriction, Level, Momentum, Plan, Ports, Projected,
     Regularisation, SoftLink, Storage, Target,
 };
 use crate::integrators::{Forcing, LocalError, Tolerances, VectorSpace};
@@ -90,6 +90,32 @@ pub trait Assembly<T: RealField + Copy> {
         increment: &Self::Increment,
     ) -> Option<Self::Increment> {
         let _ = (time, state, increment);
+        None
+    }
+    /// What [`StiffSystem::implicit_rates`](crate::integrators::StiffSystem::implicit_rates) gives at `state`, to which
+    /// `increment` has led, where joints are kept by [`Treatment::Projection`], from code that holds the whole mechanism at once;
+    /// `None` as in [`straight_rates`](Self::straight_rates). `gamma_h`: s.
+    ///
+    /// Linearly implicit stages ask for it, and where joints are so kept corrections of implicit methods do.
+    #[inline(always)]
+    fn straight_implicit_rates(
+        &self,
+        time: T,
+        state: &Self::State,
+        increment: &Self::Increment,
+        gamma_h: T,
+        subtracted: Option<&Self::Increment>,
+    ) -> Option<Self::Increment> {
+        let _ = (time, state, increment, gamma_h, subtracted);
+        None
+    }
+    /// What [`Constrained::correct_once`](super::Constrained::correct_once) makes of a state, from code that holds the whole
+    /// mechanism at once; `None` as in [`straight_rates`](Self::straight_rates).
+    ///
+    /// Explicit steps ask for it where joints are kept by [`Treatment::Projection`].
+    #[inline(always)]
+    fn straight_projection(&self, time: T, state: &Self::State) -> Option<Projected<Self::State, T>> {
+        let _ = (time, state);
         None
     }
     /// Applies the resulting motion of `ports` to their state: displacements, or changes of velocity.

@@ -10,10 +10,6 @@ use crate::integrators::{
     StiffSystem, System, Tolerances, displaced, elastic_at_rest,
 };
 
-/// The share of a step's drift that its projection may leave: what a step leaves open is of the size of its error, and more
-/// digits of it say nothing about the motion.
-const ENOUGH: f64 = 1e-6;
-
 /// A mechanism as a system that integrators advance.
 #[derive(Debug, Clone, Copy)]
 pub struct Constrained<'a, A>(pub &'a A);
@@ -31,12 +27,12 @@ enum Asked<'e, T> {
 
 /// Which equations a mechanism has with its soft links, or without.
 #[inline(always)]
-fn equations<A: Assembly<T>, T: RealField + Copy>(assembly: &A, soft: bool) -> Equations {
+pub(super) fn equations<A: Assembly<T>, T: RealField + Copy>(assembly: &A, soft: bool) -> Equations {
     if soft { Equations::SoftRows } else { assembly.plan().equations() }
 }
 
 /// The joints of a mechanism on its bodies in one state.
-fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
+pub(super) fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
     assembly: &'a A,
     ports: &'a mut A::Ports<'_>,
     storage: &'a mut Storage<'s, T>,
@@ -119,6 +115,46 @@ impl<A> Constrained<'_, A> {
         })
     }
 
+    /// [`StiffSystem::implicit_rates`] by the general equations, at `state`, to which `increment` has led.
+    ///
+    /// Errors: see [`StepError`].
+    pub fn implicit_rates_at<T>(
+        &self,
+        time: T,
+        state: A::State,
+        increment: &A::Increment,
+        gamma_h: T,
+        subtracted: Option<&A::Increment>,
+    ) -> Result<A::Increment, StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let chart = self.0.soft(0).map(|_| increment);
+        let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
+        let target = self.0.treatment().target();
+        if self.0.friction(0).is_none() {
+            return self.solve(time, state, implicit, target, Asked::Motion, |ports, _| {
+                self.0.collect(ports, increment)
+            });
+        }
+        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first, of this
+        // stage and of one half as long, which tells them at the state itself
+        let whole = |gamma_h| Some(ImplicitTerms { gamma_h, subtracted: None, chart });
+        let half: T = nalgebra::convert(0.5);
+        self.solve(time, state.clone(), whole(gamma_h), target, Asked::All, |_, far| {
+            self.solve(time, state.clone(), whole(gamma_h * half), target, Asked::All, |_, near| {
+                for (near, far) in near.efforts.iter_mut().zip(far.efforts.iter()) {
+                    *near = extrapolated(*near, *far);
+                }
+                let efforts = Asked::MotionWith(near.efforts);
+                self.solve(time, state, implicit, target, efforts, |ports, _| {
+                    self.0.collect(ports, increment)
+                })
+            })?
+        })?
+    }
+
     /// The bodies in a step of the energy-momentum method.
     fn in_step<'a, T>(
         &'a self,
@@ -140,92 +176,6 @@ impl<A> Constrained<'_, A> {
             }
         }
         ports
-    }
-
-    /// Projects positions, then velocities, on the constraints; the drift is what was found before.
-    ///
-    /// One factorisation; the corrections are repeated with it, at most as often as the treatment says. After a linearly
-    /// implicit step they must be measured by the matrix of its stages (`gamma_h`): measured by the mass matrix alone they
-    /// push stiff modes, and the next step pushes back, without end; the same with soft rows. Errors: a residual is left.
-    pub fn project<T>(
-        &self,
-        time: T,
-        state: A::State,
-        gamma_h: Option<T>,
-        iterations: usize,
-        tolerance: T,
-    ) -> Result<(A::State, Drift<T>), StepError>
-    where
-        A: Assembly<T>,
-        T: RealField + Copy,
-    {
-        let soft = gamma_h.filter(|_| self.0.soft(0).is_some());
-        self.project_against(time, state, [gamma_h, soft], iterations, tolerance)
-    }
-
-    /// [`project`](Self::project) with γ h of the modes and, if they resist, of soft rows.
-    pub(super) fn project_against<T>(
-        &self,
-        time: T,
-        state: A::State,
-        [gamma_h, soft]: [Option<T>; 2],
-        iterations: usize,
-        tolerance: T,
-    ) -> Result<(A::State, Drift<T>), StepError>
-    where
-        A: Assembly<T>,
-        T: RealField + Copy,
-    {
-        let assembly = self.0;
-        let with_soft = soft.is_some();
-        if assembly.connections().is_empty() {
-            return Ok((state, Drift::none()));
-        }
-        let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None, chart: None });
-        let mut rooms = assembly.rooms();
-        let mut ports = assembly.ports(&mut rooms, state, implicit);
-        let equations = equations(assembly, with_soft);
-        let drift = assembly.with_storage(equations, |storage| {
-            let drive = |joint| assembly.drive(joint, time);
-            let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
-            evaluated.evaluate(&drive);
-            let mut left = evaluated.residuals();
-            let drift = Drift { position: left.0[0], velocity: left.0[1] };
-            let round_off = evaluated.round_off();
-            let mut factored = false;
-            for level in [Level::Position, Level::Velocity] {
-                let index = if level == Level::Position { 0 } else { 1 };
-                let enough = round_off[index].max(left.0[index] * nalgebra::convert(ENOUGH));
-                for _ in 0..iterations {
-                    if left.0[index] <= enough {
-                        break;
-                    }
-                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
-                    if !factored {
-                        if let Some(gamma_h) = soft {
-                            evaluated.soften(assembly, gamma_h);
-                        }
-                        evaluated.factor()?;
-                        factored = true;
-                    }
-                    evaluated.correct(level);
-                    assembly.correct(&mut ports, level);
-                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
-                    match level {
-                        Level::Position => evaluated.evaluate(&drive),
-                        Level::Velocity => evaluated.follow_velocities(),
-                    }
-                    left = evaluated.residuals();
-                }
-            }
-            if left.0[0] <= tolerance {
-                Ok(drift)
-            } else {
-                let residual = nalgebra::try_convert(left.0[0]).unwrap_or(f64::NAN);
-                Err(StepError::ConstraintsNotMet { joint: left.1, residual })
-            }
-        })?;
-        Ok((assembly.state(ports), drift))
     }
 }
 
@@ -288,6 +238,14 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
     ) -> Result<(Self::State, Drift<T>), StepError> {
         match self.0.treatment() {
             Treatment::Projection { iterations, tolerance } => {
+                if gamma_h.is_none()
+                    && iterations > 0
+                    && let Some(projected) = self.0.straight_projection(time, &state)
+                    && projected.meets(tolerance)
+                {
+                    let [position, velocity] = projected.before;
+                    return Ok((projected.state, Drift { position, velocity }));
+                }
                 self.project(time, state, gamma_h, iterations, tolerance)
             }
             Treatment::Baumgarte { .. } | Treatment::Index3 | Treatment::StabilisedIndex2 => {
@@ -321,29 +279,10 @@ impl<A: Assembly<T>, T: RealField + Copy> StiffSystem<T> for Constrained<'_, A> 
         subtracted: Option<&Self::Increment>,
     ) -> Result<Self::Increment, StepError> {
         let state = self.0.retract(origin, increment);
-        let chart = self.0.soft(0).map(|_| increment);
-        let implicit = Some(ImplicitTerms { gamma_h, subtracted, chart });
-        let target = self.0.treatment().target();
-        if self.0.friction(0).is_none() {
-            return self.solve(time, state, implicit, target, Asked::Motion, |ports, _| {
-                self.0.collect(ports, increment)
-            });
+        if let Some(rates) = self.0.straight_implicit_rates(time, &state, increment, gamma_h, subtracted) {
+            return Ok(rates);
         }
-        // multipliers of what is left after a subtraction are no reactions: those of the whole are found first, of this
-        // stage and of one half as long, which tells them at the state itself
-        let whole = |gamma_h| Some(ImplicitTerms { gamma_h, subtracted: None, chart });
-        let half: T = nalgebra::convert(0.5);
-        self.solve(time, state.clone(), whole(gamma_h), target, Asked::All, |_, far| {
-            self.solve(time, state.clone(), whole(gamma_h * half), target, Asked::All, |_, near| {
-                for (near, far) in near.efforts.iter_mut().zip(far.efforts.iter()) {
-                    *near = extrapolated(*near, *far);
-                }
-                let efforts = Asked::MotionWith(near.efforts);
-                self.solve(time, state, implicit, target, efforts, |ports, _| {
-                    self.0.collect(ports, increment)
-                })
-            })?
-        })?
+        self.implicit_rates_at(time, state, increment, gamma_h, subtracted)
     }
 }
 
@@ -359,9 +298,15 @@ impl<A: Assembly<T>, T: RealField + Copy> ImplicitSystem<T> for Constrained<'_, 
         let assembly = self.0;
         let state = assembly.retract(origin, increment);
         let subtracted = elastic_at_rest(self, origin, increment, accelerations);
+        let treatment = assembly.treatment();
+        if let Treatment::Projection { .. } = treatment
+            && let Some(rates) =
+                assembly.straight_implicit_rates(time, &state, increment, gamma_h, Some(&subtracted))
+        {
+            return Ok(Correction { accelerations: assembly.velocities_only(&rates), places: None });
+        }
         let chart = assembly.soft(0).map(|_| increment);
         let implicit = Some(ImplicitTerms { gamma_h, subtracted: Some(&subtracted), chart });
-        let treatment = assembly.treatment();
         let target = match treatment {
             Treatment::Index3 => Target::Position { share: gamma_h * gamma_h },
             Treatment::StabilisedIndex2 => Target::Velocity { share: gamma_h },

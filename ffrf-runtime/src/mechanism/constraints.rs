@@ -414,7 +414,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
 }
 
 /// Whether a residual is larger than the largest so far; the first that is not finite is larger than all.
-fn is_worse<T: RealField + Copy>(residual: T, largest: T) -> bool {
+pub(super) fn is_worse<T: RealField + Copy>(residual: T, largest: T) -> bool {
     residual > largest || (largest.is_finite() && !residual.is_finite())
 }
 

@@ -1,10 +1,12 @@
 //! What the code of `mechanism!` calls: numbers, triads and rows of the right size.
 
-use nalgebra::{Matrix3, RealField, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, RealField, UnitQuaternion, Vector3};
 
+use super::constraints::is_worse;
 use super::{Attachment, Connection, KeptModes, along_axis};
 use crate::body::{FlexibleBody, Increment, ModalVector, State};
 use crate::joints::{Fixed, JointKind};
+use crate::rotation::cayley_omega;
 
 /// Three numbers as a vector.
 pub fn vector3<T: RealField + Copy>(components: [f64; 3]) -> Vector3<T> {
@@ -85,17 +87,67 @@ pub fn put_state<'a, V: ModalVector<T>, T: RealField + Copy>(
     state: &State<V, T>,
     places: &mut impl Iterator<Item = &'a mut T>,
 ) {
-    let mut put = |numbers: &[T]| {
-        for (number, place) in numbers.iter().zip(&mut *places) {
-            *place = *number;
+    put(state.position.as_slice(), places);
+    put(state.orientation.coords.as_slice(), places);
+    put(state.modal_coordinates.as_slice(), places);
+    put(state.velocity.as_slice(), places);
+    put(state.angular_velocity.as_slice(), places);
+    put(state.modal_rates.as_slice(), places);
+}
+
+/// Puts numbers into the next places.
+#[inline]
+fn put<'a, T: Copy + 'a>(numbers: &[T], places: &mut impl Iterator<Item = &'a mut T>) {
+    for (number, place) in numbers.iter().zip(places) {
+        *place = *number;
+    }
+}
+
+/// Takes the numbers of a state from the next places; see [`put_state`].
+#[inline]
+pub fn take_state<V: ModalVector<T>, T: RealField + Copy>(
+    state: &mut State<V, T>,
+    places: &mut impl Iterator<Item = T>,
+) {
+    let mut orientation = state.orientation.coords;
+    let mut take = |numbers: &mut [T]| {
+        for (place, number) in numbers.iter_mut().zip(&mut *places) {
+            *place = number;
         }
     };
-    put(state.position.as_slice());
-    put(state.orientation.coords.as_slice());
-    put(state.modal_coordinates.as_slice());
-    put(state.velocity.as_slice());
-    put(state.angular_velocity.as_slice());
-    put(state.modal_rates.as_slice());
+    take(state.position.as_mut_slice());
+    take(orientation.as_mut_slice());
+    take(state.modal_coordinates.as_mut_slice());
+    take(state.velocity.as_mut_slice());
+    take(state.angular_velocity.as_mut_slice());
+    take(state.modal_rates.as_mut_slice());
+    // of length one: it was divided by its length
+    state.orientation = UnitQuaternion::new_unchecked(Quaternion::from(orientation));
+}
+
+/// Raises the largest place and the largest velocity to those of a body. Units: m; m/s or rad/s.
+#[inline]
+pub fn measure<V: ModalVector<T>, T: RealField + Copy>(state: &State<V, T>, largest: &mut [T; 2]) {
+    let places = state.position.iter();
+    let velocities = state.velocity.iter().chain(&state.angular_velocity);
+    largest[0] = places.fold(largest[0], |largest, entry| largest.max(entry.abs()));
+    largest[1] = velocities.fold(largest[1], |largest, entry| largest.max(entry.abs()));
+}
+
+/// The largest residuals of places and velocities before a projection, and after it. `residuals`: those of all rows, before of
+/// places, then of velocities, then both after it.
+#[inline]
+pub fn largest_residuals<T: RealField + Copy>(residuals: &[T]) -> [[T; 2]; 2] {
+    let mut largest = [[T::zero(); 2]; 2];
+    let mut rows = residuals.chunks_exact((residuals.len() / 4).max(1));
+    for (place, rows) in largest.as_flattened_mut().iter_mut().zip(&mut rows) {
+        for residual in rows {
+            if is_worse(residual.abs(), *place) {
+                *place = residual.abs();
+            }
+        }
+    }
+    largest
 }
 
 /// The rate of an increment that has led to `state`, which has the next of these accelerations: of the frame origin
@@ -115,5 +167,42 @@ pub fn rate_with<V: ModalVector<T>, T: RealField + Copy>(
     take(rate.velocity.as_mut_slice());
     take(rate.angular_velocity.as_mut_slice());
     take(rate.modal_rates.as_mut_slice());
+    rate
+}
+
+/// Puts what a linearly implicit stage subtracts from the rates of a body into the next places: of the position (inertial), as
+/// angular velocity (body), of the modal coordinates, of the velocity (inertial), of the angular velocity (body), of the modal
+/// rates. `increment`: what has led to the state of the stage, in whose chart rotations are subtracted. Shape: 12 + 2 M.
+#[inline]
+pub fn put_subtracted<'a, V: ModalVector<T>, T: RealField + Copy>(
+    subtracted: &Increment<V, T>,
+    increment: &Increment<V, T>,
+    places: &mut impl Iterator<Item = &'a mut T>,
+) {
+    let turned = cayley_omega(&increment.rotation, &subtracted.rotation);
+    put(subtracted.position.as_slice(), places);
+    put(turned.as_slice(), places);
+    put(subtracted.modal_coordinates.as_slice(), places);
+    put(subtracted.velocity.as_slice(), places);
+    put(subtracted.angular_velocity.as_slice(), places);
+    put(subtracted.modal_rates.as_slice(), places);
+}
+
+/// [`rate_with`] of a linearly implicit stage. `frames_follow`: whether the rates of frames' places see the end of the stage as
+/// those of modes do, as with soft rows.
+#[inline]
+pub fn implicit_rate_with<V: ModalVector<T>, T: RealField + Copy>(
+    increment: &Increment<V, T>,
+    state: &State<V, T>,
+    accelerations: &mut impl Iterator<Item = T>,
+    gamma_h: T,
+    subtracted: Option<&Increment<V, T>>,
+    frames_follow: bool,
+) -> Increment<V, T> {
+    let mut rate = rate_with(increment, state, accelerations);
+    rate.look_ahead(gamma_h, subtracted);
+    if frames_follow {
+        increment.follow_end(&mut rate, gamma_h);
+    }
     rate
 }

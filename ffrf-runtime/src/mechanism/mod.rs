@@ -27,6 +27,7 @@ mod moving;
 mod node;
 mod plan;
 mod port;
+mod projection;
 mod regularisation;
 mod rigid_frame;
 mod room;
@@ -67,6 +68,7 @@ pub use plan::{
     SharedPlace,
 };
 pub use port::{Phase, Port, Ports};
+pub use projection::Projected;
 pub use regularisation::Regularisation;
 pub use rigid_frame::RigidFrame;
 pub use room::Room;

@@ -64,14 +64,39 @@ impl<A: Assembly<T>, T: RealField + Copy> Mechanism<A, T> {
         let straight = model.straight_rates(*time, state, &none)?;
         let general =
             Constrained(model).evaluate(*time, state.clone(), None, |ports, _| model.collect(ports, &none));
-        let (straight, general) = (model.velocities_only(&straight), model.velocities_only(&general.ok()?));
+        Some(self.apart(&straight, &general.ok()?))
+    }
+
+    /// The same for [`Assembly::straight_implicit_rates`]: the larger difference of the two stages of a
+    /// [linearly implicit step](Self::step_linearly_implicit), the second one at the state of the first.
+    ///
+    /// Shape: 1. Units: 1; `gamma_h` s.
+    pub fn straight_implicit_difference(&self, gamma_h: T) -> Option<T> {
+        let Self { model, state, time } = self;
+        let none = model.no_change(state);
+        let of_stage = |subtracted: Option<&A::Increment>| {
+            let straight = model.straight_implicit_rates(*time, state, &none, gamma_h, subtracted)?;
+            let general =
+                Constrained(model).implicit_rates_at(*time, state.clone(), &none, gamma_h, subtracted);
+            let general = general.ok()?;
+            Some((self.apart(&straight, &general), general))
+        };
+        let (first, mut twice) = of_stage(None)?;
+        twice.scale(T::one() + T::one());
+        let (second, _) = of_stage(Some(&twice))?;
+        Some(first.max(second))
+    }
+
+    /// The norm of the difference of accelerations over the larger of both norms.
+    fn apart(&self, straight: &A::Increment, general: &A::Increment) -> T {
+        let (straight, general) = (self.model.velocities_only(straight), self.model.velocities_only(general));
         let mut difference = straight.clone();
         difference.add_scaled(-T::one(), &general);
         let ones = Tolerances { absolute: T::one(), relative: T::zero() };
-        let [difference, straight, general] =
-            [difference, straight, general].map(|change| model.weighted_error(state, &change, &ones));
+        let [difference, straight, general] = [difference, straight, general]
+            .map(|change| self.model.weighted_error(&self.state, &change, &ones));
         let larger = straight.max(general);
-        Some(if larger > T::zero() { difference / larger } else { larger })
+        if larger > T::zero() { difference / larger } else { larger }
     }
 
     /// Advances by one step of any method for systems, for example

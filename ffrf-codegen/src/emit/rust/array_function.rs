@@ -9,7 +9,7 @@ use crate::emit::units::UnitNames;
 use crate::emit::writer::{FunctionHead, Writer, bracketed};
 use crate::expression::{Expression, Graph, Node, Symbol};
 use crate::validate::ValidKernel;
-use crate::{ArrayFunction, ArrayInput, Call, Function, GenerateOptions, Relation};
+use crate::{ArrayFunction, ArrayInput, Call, Function, GenerateOptions, InputForm, Relation};
 
 /// The text of the function.
 pub(in crate::emit) fn array_function(
@@ -31,7 +31,7 @@ pub(in crate::emit) fn array_function(
         .iter()
         .map(|input| {
             let unused = if is_used(input, &needs.symbols) { "" } else { "_" };
-            format!("{unused}{}: &{}", input.name, array_type(input, number))
+            format!("{unused}{}: {}", input.name, argument_type(input, number))
         })
         .collect();
     inputs.push(format!("{}: &mut [{number}; {}]", function.output, function.results.len()));
@@ -44,7 +44,8 @@ pub(in crate::emit) fn array_function(
             writer.line(import("square_root", "square_root", options.scalar));
         }
         for input in function.inputs.iter().filter(|input| is_used(input, &needs.symbols)) {
-            writer.line(format!("let {} = *{};", pattern(input, &needs.symbols), input.name));
+            let read = if input.form == InputForm::Number { "" } else { "*" };
+            writer.line(format!("let {} = {read}{};", pattern(input, &needs.symbols), input.name));
         }
         calls.iter().for_each(|call| writer.line(call));
         for statement in listing.sections.iter().flat_map(|section| &section.statements) {
@@ -102,10 +103,11 @@ fn is_used(input: &ArrayInput, symbols: &BTreeSet<Symbol>) -> bool {
     (0..input.count).any(|index| symbols.contains(&input.symbol(index)))
 }
 
-fn array_type(input: &ArrayInput, number: &str) -> String {
-    match input.inner {
-        None => format!("[{number}; {}]", input.count),
-        Some(inner) => format!("[[{number}; {inner}]; {}]", input.count / inner.max(1)),
+fn argument_type(input: &ArrayInput, number: &str) -> String {
+    match input.form {
+        InputForm::Number => number.to_owned(),
+        InputForm::Flat => format!("&[{number}; {}]", input.count),
+        InputForm::Nested(inner) => format!("&[[{number}; {inner}]; {}]", input.count / inner.max(1)),
     }
 }
 
@@ -117,9 +119,10 @@ fn pattern(input: &ArrayInput, symbols: &BTreeSet<Symbol>) -> String {
             _ => "_".to_owned(),
         })
         .collect();
-    match input.inner {
-        None => bracketed(&names, 0),
-        Some(inner) => {
+    match input.form {
+        InputForm::Number => names.join(", "),
+        InputForm::Flat => bracketed(&names, 0),
+        InputForm::Nested(inner) => {
             let inner: Vec<String> =
                 names.chunks(inner.max(1)).map(|names| format!("[{}]", names.join(", "))).collect();
             bracketed(&inner, 0)

@@ -1,0 +1,168 @@
+//! Positions and velocities projected on the constraints.
+
+use nalgebra::RealField;
+
+use super::constrained::{constraints, equations};
+use super::{Assembly, Constrained, EvaluatedJoint, ImplicitTerms, Level};
+use crate::integrators::{Drift, StepError};
+
+/// The share of a step's drift that its projection may leave: what a step leaves open is of the size of its error, and more
+/// digits of it say nothing about the motion.
+const ENOUGH: f64 = 1e-6;
+
+/// Round-off of a residual: in units of ε, and of ε times the largest number that it is a difference of.
+const ROUND_OFF: [f64; 2] = [16.0, 2.0];
+
+/// A state after one correction of places and one of velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Projected<S, T = f64> {
+    /// The state.
+    pub state: S,
+    /// The largest residuals of places and of velocities before. Units: m or rad; m/s or rad/s.
+    pub before: [T; 2],
+    /// The same behind the corrections.
+    pub after: [T; 2],
+    /// The largest place and velocity of a body. Units: m; m/s or rad/s.
+    pub sizes: [T; 2],
+}
+
+impl<S, T: RealField + Copy> Projected<S, T> {
+    /// Whether nothing is left that another correction would take away. `tolerance`: of places. Units: m or rad.
+    pub(super) fn meets(&self, tolerance: T) -> bool {
+        let [units, share]: [T; 2] = ROUND_OFF.map(|units| T::default_epsilon() * nalgebra::convert(units));
+        let small = |k: usize| {
+            let enough = self.before[k] * nalgebra::convert(ENOUGH);
+            // not a number is not met
+            self.after[k] <= enough.max(units).max(share * self.sizes[k])
+        };
+        small(0) && small(1) && self.after[0] <= tolerance
+    }
+}
+
+impl<A> Constrained<'_, A> {
+    /// One correction of places and one of velocities by one factorisation, whatever is left then: what [`project`](Self::project)
+    /// does with one iteration. `look` is shown the joints before and behind.
+    ///
+    /// Errors: there are no factors.
+    pub fn correct_once<T>(
+        &self,
+        time: T,
+        state: A::State,
+        mut look: impl FnMut(&[Option<EvaluatedJoint<T>>]),
+    ) -> Result<A::State, StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let assembly = self.0;
+        let mut rooms = assembly.rooms();
+        let mut ports = assembly.ports(&mut rooms, state, None);
+        let equations = equations(assembly, false);
+        assembly.with_storage(equations, |storage| {
+            let drive = |joint| assembly.drive(joint, time);
+            let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+            evaluated.evaluate(&drive);
+            look(evaluated.storage.joints);
+            evaluated.factor()?;
+            for level in [Level::Position, Level::Velocity] {
+                let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+                evaluated.correct(level);
+                assembly.correct(&mut ports, level);
+                let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+                match level {
+                    Level::Position => evaluated.evaluate(&drive),
+                    Level::Velocity => evaluated.follow_velocities(),
+                }
+            }
+            look(storage.joints);
+            Ok(())
+        })?;
+        Ok(assembly.state(ports))
+    }
+
+    /// Projects positions, then velocities, on the constraints; the drift is what was found before.
+    ///
+    /// One factorisation; the corrections are repeated with it, at most as often as the treatment says. After a linearly
+    /// implicit step they must be measured by the matrix of its stages (`gamma_h`): measured by the mass matrix alone they
+    /// push stiff modes, and the next step pushes back, without end; the same with soft rows. Errors: a residual is left.
+    pub fn project<T>(
+        &self,
+        time: T,
+        state: A::State,
+        gamma_h: Option<T>,
+        iterations: usize,
+        tolerance: T,
+    ) -> Result<(A::State, Drift<T>), StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let soft = gamma_h.filter(|_| self.0.soft(0).is_some());
+        self.project_against(time, state, [gamma_h, soft], iterations, tolerance)
+    }
+
+    /// [`project`](Self::project) with γ h of the modes and, if they resist, of soft rows.
+    pub(super) fn project_against<T>(
+        &self,
+        time: T,
+        state: A::State,
+        [gamma_h, soft]: [Option<T>; 2],
+        iterations: usize,
+        tolerance: T,
+    ) -> Result<(A::State, Drift<T>), StepError>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        let assembly = self.0;
+        let with_soft = soft.is_some();
+        if assembly.connections().is_empty() {
+            return Ok((state, Drift::none()));
+        }
+        let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None, chart: None });
+        let mut rooms = assembly.rooms();
+        let mut ports = assembly.ports(&mut rooms, state, implicit);
+        let equations = equations(assembly, with_soft);
+        let drift = assembly.with_storage(equations, |storage| {
+            let drive = |joint| assembly.drive(joint, time);
+            let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+            evaluated.evaluate(&drive);
+            let mut left = evaluated.residuals();
+            let drift = Drift { position: left.0[0], velocity: left.0[1] };
+            let round_off = evaluated.round_off();
+            let mut factored = false;
+            for level in [Level::Position, Level::Velocity] {
+                let index = if level == Level::Position { 0 } else { 1 };
+                let enough = round_off[index].max(left.0[index] * nalgebra::convert(ENOUGH));
+                for _ in 0..iterations {
+                    if left.0[index] <= enough {
+                        break;
+                    }
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+                    if !factored {
+                        if let Some(gamma_h) = soft {
+                            evaluated.soften(assembly, gamma_h);
+                        }
+                        evaluated.factor()?;
+                        factored = true;
+                    }
+                    evaluated.correct(level);
+                    assembly.correct(&mut ports, level);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+                    match level {
+                        Level::Position => evaluated.evaluate(&drive),
+                        Level::Velocity => evaluated.follow_velocities(),
+                    }
+                    left = evaluated.residuals();
+                }
+            }
+            if left.0[0] <= tolerance {
+                Ok(drift)
+            } else {
+                let residual = nalgebra::try_convert(left.0[0]).unwrap_or(f64::NAN);
+                Err(StepError::ConstraintsNotMet { joint: left.1, residual })
+            }
+        })?;
+        Ok((assembly.state(ports), drift))
+    }
+}
