@@ -5,6 +5,7 @@
 #   EXPORTS  folder with rotorDiscTest.inp, ...MASS1.mtx and ...STIF1.mtx (default: ../shared/fe-exports beside the workspace)
 #   PARTS    what to run (default: "work_precision chains agreement")        CPU  core to stay on (default: 1)
 #   PASSES   turns of all columns (default: 3)    ROUNDS  runs of each in a turn, the least counts (default: 3; chains: 30 times as many)
+#            (results of parts that are not run stay as they are, with the date and load of their own)
 #   FFRF     the command `ffrf`, if it is built already            OUT  where results go (default: mechanisms/)
 set -u
 here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
@@ -60,17 +61,16 @@ for part in $parts; do
         else
             echo "SKIPPED: MuJoCo: $(tail -n 1 "$WORK/mujoco.log")" >&2
         fi
-        eigen=${EIGEN:-$(pkg-config --cflags-only-I eigen3 2> /dev/null | sed 's/-I//')}
         # its headers take minutes to compile; the limit is what its own build sets for its 25 kinds of joints
-        if [ -x "$WORK/pendulum_pinocchio" ] || { [ -n "$eigen" ] \
-            && "$WORK/venv/bin/pip" install --quiet pin > "$WORK/pinocchio.log" 2>&1 \
+        if [ -x "$WORK/pendulum_pinocchio" ] || {
+            "$WORK/venv/bin/pip" install --quiet pin cmeel-eigen > "$WORK/pinocchio.log" 2>&1 \
             && g++ -std=c++17 -O3 -march=native -DNDEBUG -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS -DBOOST_MPL_LIMIT_LIST_SIZE=30 \
-                -I"$packages/cmeel.prefix/include" -isystem $eigen -o "$WORK/pendulum_pinocchio" "$source/pendulum_pinocchio.cpp" \
+                -I"$packages/cmeel.prefix/include" -isystem "$packages/cmeel.prefix/include/eigen3" -o "$WORK/pendulum_pinocchio" "$source/pendulum_pinocchio.cpp" \
                 -L"$packages/cmeel.prefix/lib" -lpinocchio_default -Wl,-rpath,"$packages/cmeel.prefix/lib" \
                 >> "$WORK/pinocchio.log" 2>&1; }; then
             columns+=("$WORK/pendulum_pinocchio $((30 * rounds)) $numbers")
         else
-            echo "SKIPPED: Pinocchio: no Eigen headers, or $(grep -m 1 error "$WORK/pinocchio.log" 2> /dev/null)" >&2
+            echo "SKIPPED: Pinocchio: $(grep -i -m 1 error "$WORK/pinocchio.log")" >&2
         fi
         : > "$WORK/chains.jsonl"
         for pass in $(seq "$passes"); do
@@ -82,4 +82,4 @@ for part in $parts; do
     *) echo "unknown part $part" >&2; exit 1 ;;
     esac
 done
-"$python" "$source/report.py" "$WORK" "$out" "PARTS=\"$parts\" PASSES=$passes ROUNDS=$rounds benches/peers/mechanisms.sh"
+"$python" "$source/report.py" "$WORK" "$out" "$parts" "PARTS=\"$parts\" PASSES=$passes ROUNDS=$rounds benches/peers/mechanisms.sh"

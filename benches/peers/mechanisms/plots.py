@@ -40,7 +40,7 @@ def chains(columns, slopes, path):
     for name, times in columns.items():
         axis = rigid if name.startswith("pendulum") else flexible
         n = sorted(times)
-        axis.loglog(n, [times[k] / 1e3 for k in n], marker="o", markersize=4, label=f"{name}, slope {slopes[name]:.2f}")
+        axis.loglog(n, [times[k] / 1e3 for k in n], marker="o", markersize=4, label=name if slopes[name] is None else f"{name}, slope {slopes[name]:.2f}")
     for axis, title in [(flexible, "flexible links, four modes"), (rigid, "rigid pendulum")]:
         low, high = axis.get_ylim()
         n = [1, 64]

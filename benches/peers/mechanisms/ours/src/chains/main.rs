@@ -37,7 +37,7 @@ fn report(column: &str, bodies: usize, nanoseconds: f64, check: &[f64]) {
 fn main() -> Result<(), String> {
     let rounds = std::env::args().nth(1).and_then(|word| word.parse().ok()).ok_or("how many rounds?")?;
     flexible::run(rounds);
-    pendulum::run(rounds);
+    pendulum::run(rounds)?;
     dense::run(rounds);
     Ok(())
 }

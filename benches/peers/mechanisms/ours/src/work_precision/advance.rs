@@ -18,9 +18,17 @@ const MOST_TRIES: usize = 100_000_000;
 pub enum Request {
     /// The initial state.
     Start,
-    /// A run.
-    Run { method: String, step: f64, duration: f64, samples: usize, rounds: usize },
+    /// A run; whether explicit stages take accelerations in straight-line code.
+    Run { method: String, is_straight: bool, step: f64, duration: f64, samples: usize, rounds: usize },
 }
+
+/// What the name of a method ends with whose accelerations are in straight-line code.
+const STRAIGHT: &str = "_straight_line";
+/// Methods whose stages are evaluations of accelerations: the others solve the equations themselves.
+const EXPLICIT: [&str; 3] = ["rk4", "dopri5", "dopri5_fixed"];
+/// Largest difference of straight-line accelerations from those of the equations, relative to their norm. The dampers of the rotor
+/// lose digits in both: their forces are differences of speeds.
+const DIFFERENCE: f64 = 1e-9;
 
 impl Request {
     /// From the words after the case.
@@ -29,15 +37,28 @@ impl Request {
             |word: &String| word.parse::<f64>().map_err(|_| format!("expected a number, found `{word}`"));
         match words {
             [start] if start == "start" => Ok(Self::Start),
-            [method, step, duration, samples, rounds] => Ok(Self::Run {
-                method: method.clone(),
-                step: number(step)?,
-                duration: number(duration)?,
-                samples: number(samples)? as usize,
-                rounds: number(rounds)? as usize,
-            }),
+            [name, step, duration, samples, rounds] => {
+                let method = name.strip_suffix(STRAIGHT).unwrap_or(name);
+                let is_straight = method != name;
+                if is_straight && !EXPLICIT.contains(&method) {
+                    return Err(format!("`{name}`: {method} takes no accelerations in straight-line code"));
+                }
+                Ok(Self::Run {
+                    method: method.to_owned(),
+                    is_straight,
+                    step: number(step)?,
+                    duration: number(duration)?,
+                    samples: number(samples)? as usize,
+                    rounds: number(rounds)? as usize,
+                })
+            }
             _ => Err("expected `start`, or METHOD STEP DURATION SAMPLES ROUNDS".to_owned()),
         }
+    }
+
+    /// Whether the mechanism is to be the one with accelerations in straight-line code.
+    pub fn is_straight(&self) -> bool {
+        matches!(self, Self::Run { is_straight: true, .. })
     }
 }
 
@@ -49,7 +70,7 @@ pub fn run<A: Assembly<f64> + Copy>(
     observe: impl Fn(&A, &A::State) -> Observation,
     describe: impl Fn(&A::State) -> String,
 ) -> Result<String, String> {
-    let Request::Run { method, step, duration, samples, rounds } = request else {
+    let Request::Run { method, is_straight, step, duration, samples, rounds } = request else {
         return Ok(describe(&start.state));
     };
     let mut seconds = f64::INFINITY;
@@ -64,7 +85,38 @@ pub fn run<A: Assembly<f64> + Copy>(
         .map_err(|error| format!("{method} at {step:e}: {error}"))?;
         seconds = seconds.min(begin.elapsed().as_secs_f64());
     }
+    if *is_straight {
+        check(start, method, *step, *duration, *samples)?;
+    }
     Ok(format!("{{\"seconds\": {seconds:e}, \"steps\": {steps}, \"samples\": {points:?}}}"))
+}
+
+/// Runs once more and compares straight-line accelerations with those of the equations at every sample: where the code does not
+/// hold, a step takes the equations in silence, and those would have been timed.
+fn check<A: Assembly<f64> + Copy>(
+    start: &Mechanism<A>,
+    method: &str,
+    step: f64,
+    duration: f64,
+    samples: usize,
+) -> Result<(), String> {
+    let mut differences = vec![start.straight_difference()];
+    let period = duration / samples as f64;
+    simulate(start, method, step, duration, samples, |state| {
+        let mechanism = Mechanism {
+            model: start.model,
+            state: state.clone(),
+            time: start.time + differences.len() as f64 * period,
+        };
+        differences.push(mechanism.straight_difference());
+    })
+    .map_err(|error| error.to_string())?;
+    match differences.iter().find(|found| found.is_none_or(|difference| difference > DIFFERENCE)) {
+        Some(found) => {
+            Err(format!("straight-line code of another mechanism, or outside of where it holds: {found:?}"))
+        }
+        None => Ok(()),
+    }
 }
 
 /// One run; the number of steps.

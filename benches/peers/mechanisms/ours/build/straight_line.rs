@@ -1,0 +1,55 @@
+//! The accelerations of the mechanisms in straight-line code, from scenes of the same numbers.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use ffrf_codegen::{GenerateOptions, generate_array_function};
+use ffrf_host::scene::Scene;
+use ffrf_host::scene::file::SceneFile;
+use ffrf_host::straight_line::accelerations;
+
+/// Numbers of links of the rigid pendulums.
+const LINKS: [usize; 7] = [1, 2, 4, 8, 16, 32, 64];
+
+/// What a scene must say, but nobody asks for here.
+const SIMULATION: &str = "[simulation]\nduration = 1.0\nstep = 1e-3\n";
+
+/// The functions `pendulum_N` of the pendulums of `src/chains/pendulum.rs`.
+pub fn pendulums() -> String {
+    let code = LINKS.map(|links| {
+        let file = SceneFile::parse(&pendulum(links)).expect("the text of a scene");
+        let scene = Scene::compose(&file, Path::new("")).expect("a pendulum");
+        function(&format!("pendulum_{links}"), &scene)
+    });
+    code.join("\n")
+}
+
+/// The function `accelerations` of the mechanism of `scenes/CASE.toml`, whose body is in `folder`.
+pub fn scene(case: &str, folder: &Path) -> String {
+    let path = format!("scenes/{case}.toml");
+    println!("cargo::rerun-if-changed={path}");
+    let file = SceneFile::read(Path::new(&path)).expect("a scene");
+    function("accelerations", &Scene::compose(&file, folder).expect("a mechanism"))
+}
+
+fn function(name: &str, scene: &Scene) -> String {
+    let function = accelerations(scene, name).expect("accelerations exist");
+    generate_array_function(&function, &GenerateOptions::default()).expect("valid code").text
+}
+
+/// The scene of so many links, stretched along x.
+fn pendulum(links: usize) -> String {
+    let mut text = format!("{SIMULATION}gravity = [0.0, -9.81, 0.0]\n");
+    for link in 0..links {
+        let before = if link == 0 { "ground".to_owned() } else { format!("link{}.TIP", link - 1) };
+        let _ = write!(
+            text,
+            "[bodies.link{link}]\nmass = 0.6\ncenter_of_mass = [0.15, 0.0, 0.0]\n\
+             inertia = [[1e-3, 0.0, 0.0], [0.0, 5e-3, 0.0], [0.0, 0.0, 5e-3]]\nmarkers.TIP = [0.3, 0.0, 0.0]\n\
+             position = [{:?}, 0.0, 0.0]\n\
+             [joints.hinge{link}]\nkind = \"revolute\"\nfirst = \"{before}\"\nsecond = \"link{link}\"\n",
+            0.3 * link as f64
+        );
+    }
+    text
+}
