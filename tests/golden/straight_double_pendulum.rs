@@ -17,6 +17,7 @@ ffrf::mechanism! {
             elbow_angle: angle(elbow),
         },
         accelerations: double_pendulum_accelerations,
+        projection: double_pendulum_projection,
     }
 }
 
@@ -292,4 +293,446 @@ pub fn double_pendulum_accelerations(
         & (t128).is_finite()
         & (t128 != 0.0_f64)
         & (t84).is_finite()
+}
+
+/// One correction of places and one of velocities onto the joints, in straight-line code.
+///
+/// `state`: for each body position 3 (inertial), orientation 4 (i, j, k, w), modal coordinates, velocity 3 (inertial),
+/// angular velocity 3 (body), modal rates. `drives`: for each joint zeros, and behind it value, rate, acceleration of its drive.
+/// `projected`: the state after it, and what each row of the joints left over before, of places, then of velocities, then both
+/// after it. `false`: the state is one in which other branches of the equations hold, and the results are not to be used.
+///
+/// upper (0 modes): state 0..13
+/// lower (0 modes): state 13..26
+///
+/// Cost: 894 operations: 351 multiply-add, 315 multiply, 220 add, 6 divide, 2 square root.
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    unused_imports,
+    unused_qualifications,
+    unused_variables
+)]
+pub fn double_pendulum_projection(
+    state: &[f64; 26],
+    _drives: &[[f64; 3]; 2],
+    projected: &mut [f64; 66],
+) -> bool {
+    use ::ffrf::generated_support::fused_multiply_add as fma;
+    use ::ffrf::generated_support::square_root;
+    let [
+        state0, state1, state2, state3, state4, state5, state6, state7, state8, state9, state10,
+        state11, state12, state13, state14, state15, state16, state17, state18, state19, state20,
+        state21, state22, state23, state24, state25,
+    ] = *state;
+    let t1 = state4 + state4;
+    let t2 = state4 * t1;
+    let t3 = state5 + state5;
+    let t4 = state5 * t3;
+    let t5 = t2 + t4;
+    let t6 = 1.0 - t5;
+    let t7 = state0 + t6;
+    let t8 = state6 * t3;
+    let t9 = state3 * t1;
+    let t10 = t8 + t9;
+    let t11 = state1 + t10;
+    let t12 = state3 * t3;
+    let t13 = state6 * t1;
+    let t14 = t12 - t13;
+    let t15 = state2 + t14;
+    let t16 = state4 * t3;
+    let t17 = state3 + state3;
+    let t18 = state6 * t17;
+    let t19 = t16 - t18;
+    let t20 = state3 * t17;
+    let t21 = t20 + t4;
+    let t22 = 1.0 - t21;
+    let t23 = fma(state12, t19, fma(state11, t22, state10 * t10));
+    let t24 = t5 - 1.0;
+    let t25 = t13 + t12;
+    let t26 = t9 - t8;
+    let t27 = fma(state12, t25, fma(state11, t26, state10 * t6));
+    let t28 = t8 - t9;
+    let t29 = 1.0 - (t20 + t2);
+    let t30 = t18 + t16;
+    let t31 = fma(state12, t29, fma(state11, t30, state10 * t14));
+    let t32 = state18 + state18;
+    let t33 = state19 * t32;
+    let t34 = state17 + state17;
+    let t35 = state16 * t34;
+    let t36 = t33 + t35;
+    let t37 = t25 * t36;
+    let t38 = state17 * t34;
+    let t39 = state18 * t32;
+    let t40 = 1.0 - (t38 + t39);
+    let t41 = t19 * t40;
+    let t42 = t37 - t41;
+    let t43 = t29 * t40;
+    let t44 = state16 * t32;
+    let t45 = state19 * t34;
+    let t46 = t44 - t45;
+    let t47 = t25 * t46;
+    let t48 = t43 - t47;
+    let t49 = t19 * t46;
+    let t50 = t29 * t36;
+    let t51 = t49 - t50;
+    let t52 = state16 + state16;
+    let t53 = state16 * t52;
+    let t54 = 1.0 - (t53 + t38);
+    let t55 = state19 * t52;
+    let t56 = state17 * t32;
+    let t57 = t55 + t56;
+    let t58 = fma(state25, t54, fma(state24, t57, state23 * t46));
+    let t59 = t41 - t37;
+    let t60 = t56 - t55;
+    let t61 = t53 + t39;
+    let t62 = 1.0 - t61;
+    let t63 = fma(state25, t60, fma(state24, t62, state23 * t36));
+    let t64 = t47 - t43;
+    let t65 = t45 + t44;
+    let t66 = t35 - t33;
+    let t67 = fma(state25, t65, fma(state24, t66, state23 * t40));
+    let t68 = t50 - t49;
+    let t69 = fma(t31, t42, fma(t23, t48, t27 * t51)) + fma(t58, t59, fma(t63, t64, t67 * t68));
+    let t70 = t25 * t62;
+    let t71 = t19 * t66;
+    let t72 = t70 - t71;
+    let t73 = t29 * t66;
+    let t74 = t25 * t57;
+    let t75 = t73 - t74;
+    let t76 = t19 * t57;
+    let t77 = t29 * t62;
+    let t78 = t76 - t77;
+    let t79 = t71 - t70;
+    let t80 = t74 - t73;
+    let t81 = t77 - t76;
+    let t82 = fma(t31, t72, fma(t23, t75, t27 * t78)) + fma(t58, t79, fma(t63, t80, t67 * t81));
+    let t83 = fma(t42, t80, t64 * t79);
+    let t84 = fma(t48, t81, t68 * t80);
+    let t85 = fma(t51, t79, t59 * t81);
+    let t86 = 1.0 / fma(t84, t84, fma(t85, t85, t83 * t83));
+    let t87 = t83 * t86;
+    let t88 = t85 * t86;
+    let t89 = fma(t75, t87, t81 * t88);
+    let t90 = fma(t51, t88, t64 * t87);
+    let t91 = t84 * t86;
+    let t92 = fma(t72, t88, t80 * t91);
+    let t93 = fma(t48, t91, t59 * t88);
+    let t94 = fma(t78, t91, t79 * t87);
+    let t95 = fma(t42, t87, t68 * t91);
+    let t96 = t89 + t90 + (t92 + t93 + (t94 + t95));
+    let t97 = t21 - 1.0;
+    let t98 = fma(t97, t24, t10 * t28);
+    let t99 = t98 * (1.0 / (t98 * t98));
+    let t100 = t28 * t99;
+    let t101 = t24 * t99;
+    let t102 = t10 * t99;
+    let t103 = t22 * t99;
+    let t104 = t100 - t101 + (t102 - t103);
+    let t105 = t15 - state15;
+    let t106 = t13 - t12;
+    let t107 = fma(t30, t102, t106 * t103);
+    let t108 = fma(t30, t101, t106 * t100);
+    let t109 = t105 + (fma(t6, t107, t10 * t108) - state2);
+    let t110 = t11 - state14;
+    let t111 = fma(t29, 0.33340000000000003 * t29, fma(t30, 0.33340000000000003 * t30, t14 * (0.0001 * t14)));
+    let t112 = fma(t54, 0.33340000000000003 * t54, fma(t57, 0.33340000000000003 * t57, t46 * (0.0001 * t46)));
+    let t113 = 0.33340000000000003 * t60;
+    let t114 = 0.33340000000000003 * t62;
+    let t115 = 0.0001 * t36;
+    let t116 = fma(t54, t113, fma(t57, t114, t46 * t115));
+    let t117 = 0.33340000000000003 * t65;
+    let t118 = 0.33340000000000003 * t66;
+    let t119 = 0.0001 * t40;
+    let t120 = fma(t54, t117, fma(t57, t118, t46 * t119));
+    let t121 = fma(t112, t84, fma(t116, t85, t120 * t83));
+    let t122 = 0.5 * t36;
+    let t123 = 0.5 * t46;
+    let t124 = fma(-t122, t84, t123 * t85);
+    let t125 = fma(t60, t117, fma(t62, t118, t36 * t119));
+    let t126 = fma(fma(t60, t113, fma(t62, t114, t36 * t115)), t85, t125 * t83);
+    let t127 = fma(t116, t84, t126);
+    let t128 = fma(t125, t85, fma(t65, t117, fma(t66, t118, t40 * t119)) * t83);
+    let t129 = fma(t120, t84, t128);
+    let t130 = 1.0 / fma(t84, t121, fma(t85, t127, t83 * t129));
+    let t131 = t124 * t130;
+    let t132 = fma(t121, t131, t122);
+    let t133 = 0.5 * t40;
+    let t134 = fma(-t123, t83, t133 * t84);
+    let t135 = t134 * t130;
+    let t136 = fma(-t121, t135, t133);
+    let t137 = t121 * t130;
+    let t138 = fma(-t121, t137, t112);
+    let t139 = fma(-t124, t131, 1.0);
+    let t140 = t124 * t135;
+    let t141 = fma(t124, t137, t122);
+    let t142 = fma(t10, t139, fma(t6, t140, t141));
+    let t143 = t134 * t131;
+    let t144 = fma(-t134, t135, 1.0);
+    let t145 = fma(-t134, t137, t133);
+    let t146 = fma(t10, t143, fma(t6, t144, t145));
+    let t147 = fma(t10, t132, fma(t6, t136, t138)) + fma(t10, t142, t6 * t146);
+    let t148 = 1.0 / (t98 * ((t111 + t147) * t98));
+    let t149 = fma(t29, t57, fma(t19, t62, t25 * t66));
+    let t150 = fma(t29, t46, fma(t19, t36, t25 * t40));
+    let t151 = fma(t149, t90, t150 * t89);
+    let t152 = t127 * t130;
+    let t153 = fma(t149, t95, t150 * t94);
+    let t154 = t129 * t130;
+    let t155 = fma(t149, t93, t150 * t92);
+    let t156 = fma(-t133, t85, t122 * t83);
+    let t157 = t156 * t130;
+    let t158 = t7 - state13;
+    let t159 = fma(-fma(-t121, t154, t120), t155, fma(-(t121 * t157), t105, fma(-t132, t158, t136 * t110)));
+    let t160 = t124 * t154;
+    let t161 = fma(t160, t155, fma(-(t124 * t157), t105, fma(-t140, t110, t139 * t158)));
+    let t162 = t134 * t152;
+    let t163 = fma(t134, t154, t123);
+    let t164 = fma(t163, t155, fma(-(t134 * t157), t105, fma(-t143, t158, t144 * t110)));
+    let t165 = fma(t10, fma(t141, t151, fma(-fma(-t124, t152, t123), t153, t161)), t6 * fma(t145, t151, -fma(t162, t153, t164)));
+    let t166 = fma(t138, t151, -fma(-fma(-t121, t152, t116), t153, t159)) + t165;
+    let t167 = fma(t29, 0.33340000000000003 * t19, fma(t30, 0.33340000000000003 * t22, t14 * (0.0001 * t10)));
+    let t168 = fma(-t10, fma(-t127, t131, t123), fma(t24, t127 * t135, fma(-t127, t137, t116)));
+    let t169 = fma(t10, t156 * t131, -fma(t6, t156 * t135, t156 * t137));
+    let t170 = (t167 + (t168 - fma(t6, t169, t14 * t142))) * t98;
+    let t171 = t169 * t98;
+    let t172 = fma(0.5, t10, t142) * t98;
+    let t173 = fma(0.5, t6, t146) * t98;
+    let t174 = fma(t29, 0.33340000000000003 * t25, fma(t30, 0.33340000000000003 * t26, t14 * (0.0001 * t6)));
+    let t175 = fma(t10, t129 * t131, fma(t24, fma(t129, t135, t123), fma(-t129, t137, t120)));
+    let t176 = (t174 + (t175 + fma(t106, t146, t10 * t169))) * t98;
+    let t177 = fma(-t170, t107, fma(-state2, t171, state0 * t172)) + fma(-state1, t173, t176 * t108);
+    let t178 = t98 * (t148 * fma(t98, t166, -t177));
+    let t179 = t110 + (fma(t106, t108, t6 * t178) - state1);
+    let t180 = t158 - (state0 + fma(t10, t178, t14 * t107));
+    let t181 = fma(t46, t109, fma(t36, t179, t40 * t180));
+    let t182 = fma(t57, t109, fma(t62, t179, t66 * t180));
+    let t183 = fma(t54, t109, fma(t60, t179, t65 * t180));
+    let t184 = 2.0 * fma(-state18, t182, state17 * t183);
+    let t185 = 2.0 * fma(-state16, t183, state18 * t181);
+    let t186 = 2.0 * fma(-state17, t181, state16 * t182);
+    let t187 = t181 + fma(state19, t184, fma(-state18, t185, state17 * t186));
+    let t188 = state13 + t187;
+    let t189 = fma(state2, t29, fma(state1, t19, state0 * t25));
+    let t190 = fma(state2, t30, fma(state1, t22, state0 * t26));
+    let t191 = 2.0 * fma(-state4, t189, state5 * t190);
+    let t192 = fma(state2, t14, fma(state1, t10, state0 * t6));
+    let t193 = 2.0 * fma(-state5, t192, state3 * t189);
+    let t194 = 2.0 * fma(-state3, t190, state4 * t192);
+    let t195 = state0 + (fma(state6, t191, fma(-state5, t193, state4 * t194)) - t192);
+    let t196 = 0.5 * fma(t14, t178, fma(-t10, t107, t6 * t108));
+    let t197 = 0.5 * fma(t29, t178, fma(t18 - t16, t107, t25 * t108));
+    let t198 = 0.5 * fma(t30, t178, fma(t97, t107, t26 * t108));
+    let t199 = fma(state5, t196, state4 + fma(-state3, t197, state6 * t198));
+    let t200 = state5 + fma(-state4, t196, fma(state3, t198, state6 * t197));
+    let t201 = fma(-state5, t198, fma(state4, t197, fma(state6, t196, state3)));
+    let t202 = fma(-state5, t197, fma(-state4, t198, fma(-state3, t196, state6)));
+    let t203 = square_root(fma(t200, t200, t201 * t201) + fma(t202, t202, t199 * t199));
+    let t204 = 1.0 / t203;
+    let t205 = t199 * t204;
+    let t206 = t205 + t205;
+    let t207 = t205 * t206;
+    let t208 = t200 * t204;
+    let t209 = t208 + t208;
+    let t210 = t208 * t209;
+    let t211 = t207 + t210;
+    let t212 = 1.0 - t211;
+    let t213 = t182 + fma(state19, t185, fma(-state16, t186, state18 * t184));
+    let t214 = state14 + t213;
+    let t215 = state1 + (fma(state6, t193, fma(-state3, t194, state5 * t191)) - t190);
+    let t216 = t202 * t204;
+    let t217 = t216 * t209;
+    let t218 = t201 * t204;
+    let t219 = t218 * t206;
+    let t220 = t217 + t219;
+    let t221 = t183 + fma(state19, t186, fma(-state17, t184, state16 * t185));
+    let t222 = state15 + t221;
+    let t223 = state2 + (fma(state6, t194, fma(-state4, t191, state3 * t193)) - t189);
+    let t224 = t218 * t209;
+    let t225 = t216 * t206;
+    let t226 = t224 - t225;
+    let t227 = t218 + t218;
+    let t228 = t218 * t227;
+    let t229 = t228 + t207;
+    let t230 = 1.0 - t229;
+    let t231 = t153 + t107;
+    let t232 = t178 - t151;
+    let t233 = t108 - t155;
+    let t234 = fma(-t127, t231, fma(t156, t109, t124 * t180)) + fma(t121, t232, fma(t129, t233, t134 * t179));
+    let t235 = t130 * t234;
+    let t236 = fma(-t84, t235, t232);
+    let t237 = fma(t85, t235, t231);
+    let t238 = fma(-t83, t235, t233);
+    let t239 = 0.5 * fma(t57, t236, fma(t61 - 1.0, t237, t66 * t238));
+    let t240 = 0.5 * fma(t54, t236, fma(t55 - t56, t237, t65 * t238));
+    let t241 = 0.5 * fma(t46, t236, fma(-t36, t237, t40 * t238));
+    let t242 = fma(-state18, t239, fma(state17, t240, fma(state19, t241, state16)));
+    let t243 = state18 + fma(-state17, t241, fma(state16, t239, state19 * t240));
+    let t244 = fma(-state18, t240, fma(-state17, t239, fma(-state16, t241, state19)));
+    let t245 = fma(state18, t241, state17 + fma(-state16, t240, state19 * t239));
+    let t246 = square_root(fma(t243, t243, t242 * t242) + fma(t244, t244, t245 * t245));
+    let t247 = 1.0 / t246;
+    let t248 = t242 * t247;
+    let t249 = t243 * t247;
+    let t250 = t249 + t249;
+    let t251 = t248 * t250;
+    let t252 = t244 * t247;
+    let t253 = t245 * t247;
+    let t254 = t253 + t253;
+    let t255 = t252 * t254;
+    let t256 = t251 - t255;
+    let t257 = t205 * t209;
+    let t258 = t216 * t227;
+    let t259 = t257 - t258;
+    let t260 = t252 * t250;
+    let t261 = t248 * t254;
+    let t262 = t260 + t261;
+    let t263 = t225 + t224;
+    let t264 = t253 * t254;
+    let t265 = t249 * t250;
+    let t266 = 1.0 - (t264 + t265);
+    let t267 = t248 + t248;
+    let t268 = t252 * t267;
+    let t269 = t253 * t250;
+    let t270 = t268 + t269;
+    let t271 = t248 * t267;
+    let t272 = 1.0 - (t271 + t265);
+    let t273 = t261 - t260;
+    let t274 = fma(state9, t29, fma(state8, t19, state7 * t25));
+    let t275 = fma(state9, t30, fma(state8, t22, state7 * t26));
+    let t276 = 2.0 * fma(-t205, t274, t208 * t275);
+    let t277 = fma(state9, t14, fma(state8, t10, state7 * t6));
+    let t278 = 2.0 * fma(-t208, t277, t218 * t274);
+    let t279 = 2.0 * fma(-t218, t275, t205 * t277);
+    let t280 = state7 + (fma(t216, t276, fma(-t208, t278, t205 * t279)) - t277);
+    let t281 = state8 + (fma(t216, t278, fma(-t218, t279, t208 * t276)) - t275);
+    let t282 = state9 + (fma(t216, t279, fma(-t205, t276, t218 * t278)) - t274);
+    let t283 = 1.0 - (t271 + t264);
+    let t284 = fma(state25, t283, fma(state24, t270, state23 * t256));
+    let t285 = t259 * t273;
+    let t286 = t263 * t272;
+    let t287 = t285 - t286;
+    let t288 = t269 - t268;
+    let t289 = fma(state25, t288, fma(state24, t272, state23 * t262));
+    let t290 = t263 * t270;
+    let t291 = t230 * t273;
+    let t292 = t290 - t291;
+    let t293 = t255 + t251;
+    let t294 = fma(state25, t293, fma(state24, t273, state23 * t266));
+    let t295 = t230 * t272;
+    let t296 = t259 * t270;
+    let t297 = t295 - t296;
+    let t298 = t258 + t257;
+    let t299 = fma(state12, t230, fma(state11, t298, state10 * t226));
+    let t300 = t286 - t285;
+    let t301 = 1.0 - (t228 + t210);
+    let t302 = fma(state12, t259, fma(state11, t301, state10 * t220));
+    let t303 = t291 - t290;
+    let t304 = t219 - t217;
+    let t305 = fma(state12, t263, fma(state11, t304, state10 * t212));
+    let t306 = t296 - t295;
+    let t307 = fma(t294, t297, fma(t299, t300, fma(t302, t303, t305 * t306)));
+    let t308 = fma(t284, t287, fma(t289, t292, t307));
+    let t309 = t259 * t266;
+    let t310 = t263 * t262;
+    let t311 = t309 - t310;
+    let t312 = t263 * t256;
+    let t313 = t230 * t266;
+    let t314 = t312 - t313;
+    let t315 = t230 * t262;
+    let t316 = t259 * t256;
+    let t317 = t315 - t316;
+    let t318 = t310 - t309;
+    let t319 = t313 - t312;
+    let t320 = t316 - t315;
+    let t321 = fma(t294, t317, fma(t299, t318, fma(t302, t319, t305 * t320)));
+    let t322 = fma(t284, t311, fma(t289, t314, t321));
+    let t323 = fma(t90, t308, t89 * t322);
+    let t324 = fma(t95, t308, t94 * t322);
+    let t325 = fma(t93, t308, t92 * t322);
+    let t326 = state9 + fma(-state11, t230, state12 * t298);
+    let t327 = t326 - state22;
+    let t328 = state7 + fma(-state11, t263, state12 * t304);
+    let t329 = t328 - state20;
+    let t330 = state8 + fma(-state11, t259, state12 * t301);
+    let t331 = t330 - state21;
+    let t332 = fma(-fma(-t121, t154, t120), t325, fma(-(t121 * t157), t327, fma(-t132, t329, t136 * t331)));
+    let t333 = fma(t160, t325, fma(-(t124 * t157), t327, fma(-t140, t331, t139 * t329)));
+    let t334 = fma(t163, t325, fma(-(t134 * t157), t327, fma(-t143, t329, t144 * t331)));
+    let t335 = fma(t10, fma(t141, t323, fma(-fma(-t124, t152, t123), t324, t333)), t6 * fma(t145, t323, -fma(t162, t324, t334)));
+    let t336 = fma(t138, t323, -fma(-fma(-t121, t152, t116), t324, t332)) + t335;
+    let t337 = t217 - t219;
+    let t338 = fma(t302, t337, t301 * t305);
+    let t339 = t211 - 1.0;
+    let t340 = fma(t302, t339, t220 * t305);
+    let t341 = fma(-t102, t338, t103 * t340);
+    let t342 = fma(-t100, t340, t101 * t338);
+    let t343 = fma(t170, t341, fma(-state9, t171, state7 * t172)) + fma(-state8, t173, t176 * t342);
+    let t344 = t98 * (t148 * fma(t98, t336, -t343));
+    let t345 = fma(t14, t344, fma(t10, t341, t6 * t342));
+    let t346 = fma(t30, t344, fma(t22, t341, t26 * t342));
+    let t347 = fma(t29, t344, fma(t19, t341, t25 * t342));
+    let t348 = t327 + (fma(t24, t341, t10 * t342) - state9);
+    let t349 = t331 + (fma(t106, t342, t6 * t344) - state8);
+    let t350 = t329 + (fma(-t10, t344, t14 * t341) - state7);
+    let t351 = fma(t46, t348, fma(t36, t349, t40 * t350));
+    let t352 = fma(t57, t348, fma(t62, t349, t66 * t350));
+    let t353 = fma(t54, t348, fma(t60, t349, t65 * t350));
+    let t354 = 2.0 * fma(-t249, t352, t253 * t353);
+    let t355 = 2.0 * fma(-t248, t353, t249 * t351);
+    let t356 = 2.0 * fma(-t253, t351, t248 * t352);
+    let t357 = state20 + (t351 + fma(t252, t354, fma(-t249, t355, t253 * t356)));
+    let t358 = state21 + (t352 + fma(t252, t355, fma(-t248, t356, t249 * t354)));
+    let t359 = state22 + (t353 + fma(t252, t356, fma(-t253, t354, t248 * t355)));
+    let t360 = t341 - t324;
+    let t361 = t344 - t323;
+    let t362 = t342 - t325;
+    let t363 = fma(t127, t360, fma(t156, t348, t124 * t350)) + fma(t121, t361, fma(t129, t362, t134 * t349));
+    let t364 = t130 * t363;
+    let t365 = fma(-t84, t364, t361);
+    let t366 = fma(-t85, t364, t360);
+    let t367 = fma(-t83, t364, t362);
+    let t368 = fma(t46, t365, fma(t36, t366, t40 * t367));
+    let t369 = fma(t57, t365, fma(t62, t366, t66 * t367));
+    let t370 = fma(t54, t365, fma(t60, t366, t65 * t367));
+    let t371 = t212 * t277;
+    let t372 = t220 * t277;
+    let t373 = t226 * t277;
+    let t374 = t302 + fma(t259, t347, fma(t301, t346, t220 * t345));
+    let t375 = t305 + fma(t263, t347, fma(t304, t346, t212 * t345));
+    let t376 = t274 + t346;
+    let t377 = t347 - t275;
+    let t378 = state20 + fma(t293, t353, fma(t273, t352, t266 * t351)) - (t328 + fma(-t263, t376, fma(t304, t377, -t371)));
+    let t379 = state21 + fma(t288, t353, fma(t272, t352, t262 * t351)) - (t330 + fma(t258 - t257, t376, fma(t301, t377, -t372)));
+    let t380 = state22 + fma(t283, t353, fma(t270, t352, t256 * t351)) - (t326 + fma(t229 - 1.0, t376, fma(t298, t377, -t373)));
+    let t381 = t299 + fma(t230, t347, fma(t298, t346, t226 * t345));
+    let t382 = t284 + fma(t283, t370, fma(t270, t369, t256 * t368));
+    let t383 = t289 + fma(t288, t370, fma(t272, t369, t262 * t368));
+    let t384 = t294 + fma(t293, t370, fma(t273, t369, t266 * t368));
+    let t385 = fma(t318, t381, fma(t319, t374, t320 * t375)) + fma(t311, t382, fma(t314, t383, t317 * t384));
+    let t386 = fma(t300, t381, fma(t303, t374, t306 * t375)) + fma(t287, t382, fma(t292, t383, t297 * t384));
+    *projected = [
+        t195, t215, t223, t218, t205, t208, t216, t280, t281, t282, state10 + t345,
+        state11 + t346, state12 + t347, t188, t214, t222, t248, t253, t249, t252, t357, t358,
+        t359, state23 + t368, state24 + t369, state25 + t370, state0, state1, state2, t14, t30,
+        state13 - t7, state14 - t11, state15 - t15, t150, t149, state7, state8, state9,
+        fma(t23, t24, t10 * t27), fma(t23, t28, t22 * t27),
+        state20 - (state7 + fma(-state11, t25, state12 * t26)),
+        state21 - (state8 + fma(-state11, t19, state12 * t22)),
+        state22 - (state9 + fma(-state11, t29, state12 * t30)), t69, t82, t195, t215, t223, t226,
+        t298, t188 - (t195 + t212), t214 - (t215 + t220), t222 - (t223 + t226),
+        fma(t230, t256, fma(t259, t262, t263 * t266)),
+        fma(t230, t270, fma(t259, t272, t263 * t273)),
+        state7 - fma(t263, t274, fma(t304, t275, t371)),
+        state8 - fma(t259, t274, fma(t301, t275, t372)),
+        state9 - fma(t230, t274, fma(t298, t275, t373)), fma(t339, t374, t220 * t375),
+        fma(t337, t374, t301 * t375), t378, t379, t380, t385, t386,
+    ];
+    (t130).is_finite()
+        & (t130 != 0.0_f64)
+        & (t96).is_finite()
+        & (t148).is_finite()
+        & (t148 != 0.0_f64)
+        & (t104).is_finite()
 }

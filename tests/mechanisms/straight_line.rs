@@ -12,12 +12,15 @@ mod double_pendulum {
 }
 
 use double_pendulum::DoublePendulum;
-use ffrf::mechanism::Mechanism;
+use ffrf::mechanism::{Assembly as _, Constrained, Mechanism};
 use ffrf::nalgebra::{UnitQuaternion, Vector3};
 use slider_crank::{Rod, SliderCrank};
 
 /// Rounded in another order, relative to the accelerations: stiffness and reactions are some thousand times those.
 const ROUND_OFF: f64 = 1e-9;
+
+/// The same of corrections, whose equations have condition numbers of some thousands. Units: m; m/s.
+const PROJECTED: f64 = 1e-12;
 
 /// Radius of the crank, as in `models/scenes/slider_crank.toml`. Units: m.
 const RADIUS: f64 = 0.04;
@@ -51,6 +54,32 @@ fn a_slider_crank_turns_by_straight_line_code() {
     let rigid = RADIUS * angle.cos() + (length * length - (RADIUS * angle.sin()).powi(2)).sqrt();
     let found = mechanism.model.stroke(&mechanism.state).x;
     assert!((found - rigid).abs() < ELASTIC, "{found} {rigid}");
+}
+
+#[test]
+fn a_slider_crank_is_projected_by_straight_line_code() {
+    let mut mechanism = turning();
+    for _ in 0..100 {
+        mechanism.step_rk4(2e-6).unwrap();
+    }
+    let mut state = mechanism.state;
+    state.crank.position.x += 1e-6;
+    state.rod.velocity.y += 1e-3;
+    let projected = mechanism.model.straight_projection(mechanism.time, &state).unwrap();
+    let (expected, drift) =
+        Constrained(&mechanism.model).project(mechanism.time, state, None, 1, 1e-6).unwrap();
+    let [position, velocity] = projected.before;
+    assert!((position - drift.position).abs() <= PROJECTED && position > 1e-7, "{position:e}");
+    assert!((velocity - drift.velocity).abs() <= PROJECTED && velocity > 1e-4, "{velocity:e}");
+    for (found, expected) in [
+        (projected.state.rod.position, expected.rod.position),
+        (projected.state.crank.position, expected.crank.position),
+        (projected.state.rod.velocity, expected.rod.velocity),
+        (projected.state.piston.velocity, expected.piston.velocity),
+    ] {
+        assert!((found - expected).norm() <= PROJECTED, "{found} {expected}");
+    }
+    assert!(projected.after[0] < 1e-10 && projected.after[1] < 1e-6, "{:?}", projected.after);
 }
 
 #[test]

@@ -8,9 +8,9 @@ use ffrf_codegen::expression::Symbol;
 use ffrf_host::HostModal;
 use ffrf_host::mechanism::HostIncrement;
 use ffrf_host::scene::Scene;
-use ffrf_host::straight_line::{StraightLineError, accelerations, implicit_accelerations};
+use ffrf_host::straight_line::{StraightLineError, accelerations, implicit_accelerations, projection};
 use ffrf_runtime::integrators::Correction;
-use ffrf_runtime::mechanism::{Assembly, Constrained};
+use ffrf_runtime::mechanism::{Assembly, Constrained, EvaluatedJoint};
 use ffrf_runtime::rotation::cayley_omega;
 use ffrf_runtime::{ImplicitSystem, Increment, State, StepError, StiffSystem, System, VectorSpace};
 use ffrf_test_kit::random::Random;
@@ -263,6 +263,55 @@ fn a_flexible_body_on_soft_supports_has_the_bits_of_the_equations() {
     let function = implicit_accelerations(&scene, "accelerations").unwrap();
     let seen = compare_stages("supported_rod", &scene, &function);
     assert!(seen > 3, "the conditions held in {seen} of 12 states");
+}
+
+#[test]
+fn straight_line_projections_have_the_bits_of_the_equations() {
+    for name in ["double_pendulum", "flexible_pendulum", "slider_crank", "four_bar", "bricard"] {
+        let scene = scene(name);
+        let function = projection(&scene, "projection").unwrap().unwrap();
+        let mut random = Random::new(13);
+        let mut seen = 0;
+        for case in 0..12 {
+            let (states, numbers) = near(&scene, &mut random);
+            let drives = scene.mechanism.drives().iter();
+            let values: Vec<[f64; 3]> = drives
+                .map(|drive| if drive.is_some() { [0, 1, 2].map(|_| random.number()) } else { [0.0; 3] })
+                .collect();
+            let array = values.concat();
+            let mechanism = scene.mechanism.cast::<f64>().with_drive_values(values);
+            let mut residuals = Vec::new();
+            let look = |joints: &[Option<EvaluatedJoint>]| {
+                for level in [0, 1] {
+                    let rows = joints.iter().flatten().flat_map(EvaluatedJoint::residuals);
+                    residuals.extend(rows.map(|residuals| residuals[level]));
+                }
+            };
+            let projected = Constrained(&mechanism).correct_once(0.0, states.clone(), look).unwrap();
+            let (found, holds) = interpreted(&function, &numbers, &array);
+            if !holds {
+                continue;
+            }
+            seen += 1;
+            let expected = numbers_of(&projected).into_iter().chain(residuals);
+            for (index, (found, expected)) in found.iter().zip(expected).enumerate() {
+                assert!(found == &expected, "{name}, case {case}, {index}: {found:e} and {expected:e}");
+            }
+            // and it is what `project` begins with
+            let [count, rows] = [numbers.len(), (found.len() - numbers.len()) / 4];
+            let largest = |rows: &[f64]| rows.iter().fold(0.0_f64, |most, row| most.max(row.abs()));
+            let (_, drift) = Constrained(&mechanism).project(0.0, states, None, 1, f64::MAX).unwrap();
+            // sums of another order
+            for (found, expected) in [
+                (largest(&found[count..count + rows]), drift.position),
+                (largest(&found[count + rows..count + 2 * rows]), drift.velocity),
+            ] {
+                assert!((found - expected).abs() <= 1e-13 * expected, "{name}: {found:e} {expected:e}");
+            }
+        }
+        assert!(seen > 3, "{name}: the conditions held in {seen} of 12 states");
+    }
+    assert!(projection(&scene("tumbling_rod"), "projection").unwrap().is_none(), "no joints");
 }
 
 #[test]
