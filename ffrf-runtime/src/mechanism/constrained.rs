@@ -31,7 +31,7 @@ pub(super) fn equations<A: Assembly<T>, T: RealField + Copy>(assembly: &A, soft:
     if soft { Equations::SoftRows } else { assembly.plan().equations() }
 }
 
-/// The joints of a mechanism on its bodies in one state.
+/// The joints of a mechanism on its bodies in one state. `supported`: whether bodies may stand on their supports.
 pub(super) fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
     assembly: &'a A,
     ports: &'a mut A::Ports<'_>,
@@ -50,7 +50,8 @@ pub(super) fn constraints<'a, 's, A: Assembly<T>, T: RealField + Copy>(
         ports,
         storage,
         regularisation: assembly.regularisation(),
-        supported,
+        // soft rows are those of bodies that move freely
+        supported: supported && equations == Equations::Rows,
     }
 }
 

@@ -93,12 +93,9 @@ pub(super) fn pull_soft_rows<T: RealField + Copy>(
             }
         }
         let mut wanted = scaled(-T::one(), &products(rows.residuals(), &moved));
-        for ((end, marker), gradients) in place.ends.iter().zip(markers).zip(rows.gradients()) {
-            let Some(end) = end else { continue };
-            let Some(port) = ports.port(end.body) else { continue };
-            port.subtract_modal_accelerations(end.slot, &mut wanted);
-            if let Some([linear, angular]) = port.supported_twist(*marker) {
-                add_powers(&mut wanted, gradients, &-linear, &-angular);
+        for end in place.ends.iter().flatten() {
+            if let Some(port) = ports.port(end.body) {
+                port.subtract_modal_accelerations(end.slot, &mut wanted);
             }
         }
         *right = wanted;
