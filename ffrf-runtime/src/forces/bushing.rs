@@ -108,13 +108,13 @@ impl<T: RealField + Copy> ForceElement<T> for Bushing<T> {
     }
 }
 
-/// The quaternion (s, u) from the first to the second triad with s >= 0. Frame: the first triad.
+/// The quaternion (s, u) from the first to the second triad, of either sign: all that is made of it has products of two of its
+/// numbers. Frame: the first triad.
 fn relative_rotation<T: RealField + Copy>(
     first: &MarkerMotion<T>,
     second: &MarkerMotion<T>,
 ) -> nalgebra::Quaternion<T> {
-    let relative = (first.orientation.inverse() * second.orientation).into_inner();
-    if relative.w < T::zero() { -relative } else { relative }
+    (first.orientation.inverse() * second.orientation).into_inner()
 }
 
 /// What the energy of turning depends on.
