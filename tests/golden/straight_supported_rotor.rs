@@ -119,7 +119,7 @@ pub fn supported_rotor_accelerations(
         t63 + fma(t5, t68, fma(-t6, t69, t10 * t67)),
         t66 + fma(t5, t69, fma(-t9, t67, t6 * t68)), t45, t65, t62,
     ];
-    (t5 >= 0.0_f64)
+    true
 }
 
 /// Accelerations of the whole mechanism in a linearly implicit stage, in straight-line code.
@@ -434,8 +434,7 @@ pub fn supported_rotor_implicit_accelerations(
         t265 + fma(state6, t268, fma(-state4, t266, state3 * t267)),
         t256 - fma(t146, t249, fma(t159, t248, t124 * t250)), t264, t262,
     ];
-    (state6 >= 0.0_f64)
-        & (t34 > 0.0_f64)
+    (t34 > 0.0_f64)
         & (t59 > 0.0_f64)
         & (t7 > 0.0_f64)
         & (t95).is_finite()
