@@ -108,6 +108,7 @@ pub fn flexible_body(input: TokenStream) -> TokenStream {
 ///         forces: { friction: torsion_spring(big_end, stiffness: 0.0, damping: 1e-4) },
 ///         sensors: { stroke: position(piston), bearing: reaction_force(main) },
 ///         accelerations: slider_crank::accelerations, // optional: a function that was printed for this mechanism
+///         implicit_accelerations: slider_crank::stage, // optional: the same for linearly implicit stages
 ///         scalar: f64,                           // optional: f64 (default), f32 or generic
 ///     }
 /// }
@@ -119,7 +120,8 @@ pub fn flexible_body(input: TokenStream) -> TokenStream {
 ///
 /// The function of `accelerations` holds the numbers of the whole mechanism, and explicit steps take its result in place of
 /// solving the equations of all joints. It does not follow a model whose bodies, gravity, forces or triads (`met_in`) are
-/// not those that it was printed for: `mechanism.straight_difference()` tells.
+/// not those that it was printed for: `mechanism.straight_difference()` tells. That of `implicit_accelerations` is the same to
+/// linearly implicit steps and to the corrections of implicit methods; `mechanism.straight_implicit_difference(gamma_h)` tells.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     mechanism::mechanism(input.into()).into()

@@ -1,4 +1,4 @@
-//! Accelerations by a function that was printed for the mechanism: the key `accelerations`.
+//! Accelerations by functions that were printed for the mechanism: the keys `accelerations` and `implicit_accelerations`.
 
 use std::cell::{Cell, RefCell};
 
@@ -6,6 +6,7 @@ use ffrf::integrators::System as _;
 use ffrf::mechanism;
 use ffrf::mechanism::{Assembly as _, Constrained, Loaded, Mechanism, Treatment};
 use ffrf::nalgebra::{UnitQuaternion, Vector3};
+use ffrf::rotation::cayley_omega;
 use ffrf::{Marker, Wrench};
 
 use crate::bodies::{BIG_END, Rod};
@@ -23,6 +24,14 @@ thread_local! {
     static ASKED: Cell<usize> = const { Cell::new(0) };
     /// What the functions of the rods were asked last, and what they answer.
     static RODS: RefCell<Asked> = const { RefCell::new(([0.0; 55], [[0.0; 3]; 5], None)) };
+}
+
+/// What is subtracted, and γ h.
+type AskedStage = ([f64; 52], f64);
+
+thread_local! {
+    /// What the function of stages of the rods was asked last.
+    static STAGE: Cell<AskedStage> = const { Cell::new(([0.0; 52], 0.0)) };
 }
 
 /// Cosine and sine of the angle about y.
@@ -76,6 +85,17 @@ fn rods(state: &[f64; 55], drives: &[[f64; 3]; 5], accelerations: &mut [f64; 26]
     })
 }
 
+fn rods_in_stage(
+    state: &[f64; 55],
+    subtracted: &[f64; 52],
+    gamma_h: f64,
+    drives: &[[f64; 3]; 5],
+    accelerations: &mut [f64; 26],
+) -> bool {
+    STAGE.set((*subtracted, gamma_h));
+    rods(state, drives, accelerations)
+}
+
 /// The same bar about y, with what else is written.
 macro_rules! bar {
     ($name:ident $(, $key:ident: $value:tt)*) => {
@@ -112,6 +132,7 @@ mechanism! {
             motor: angle(pin, polynomial: [7.0, 8.0, 9.0]),
         },
         accelerations: crate::accelerations::rods,
+        implicit_accelerations: crate::accelerations::rods_in_stage,
     }
 }
 
@@ -288,17 +309,8 @@ fn numbers_of_flexible_bodies_stand_in_their_order() {
     assert_eq!(rates.others[0].modal_coordinates, state.others[0].modal_rates);
 }
 
-#[test]
-fn known_numbers_of_a_flexible_body_are_forwarded() {
-    let model = Rods::new(Rod, [Rod]);
-    let mut state = model.at_rest();
-    state.first.position.x = -BIG_END;
-    state.first.modal_rates[1] = 0.1;
-    let mut rods = model.in_motion(state);
-    RODS.with_borrow_mut(|(_, _, answer)| *answer = None);
-    let none = model.no_change(&state);
-    let rates = Constrained(&model).rates(0.0, &state, &none).unwrap();
-    assert_eq!(rods.straight_difference(), None);
+/// The accelerations in rates, in the order of the function.
+fn velocities_of(rates: &RodsIncrement) -> [f64; 26] {
     let mut answer = [0.0; 26];
     let parts = [
         rates.first.velocity.as_slice(),
@@ -313,9 +325,62 @@ fn known_numbers_of_a_flexible_body_are_forwarded() {
     for (place, number) in answer.iter_mut().zip(parts.into_iter().flatten()) {
         *place = *number;
     }
+    answer
+}
+
+#[test]
+fn known_numbers_of_a_flexible_body_are_forwarded() {
+    let model = Rods::new(Rod, [Rod]);
+    let mut state = model.at_rest();
+    state.first.position.x = -BIG_END;
+    state.first.modal_rates[1] = 0.1;
+    let mut rods = model.in_motion(state);
+    RODS.with_borrow_mut(|(_, _, answer)| *answer = None);
+    let none = model.no_change(&state);
+    let rates = Constrained(&model).rates(0.0, &state, &none).unwrap();
+    assert_eq!(rods.straight_difference(), None);
+    let answer = velocities_of(&rates);
     RODS.with_borrow_mut(|(_, _, known)| *known = Some(answer));
     assert_eq!(Constrained(&model).rates(0.0, &state, &none).unwrap(), rates);
     assert_eq!(rods.straight_difference(), Some(0.0));
     rods.state.first.modal_rates[1] = 1.0;
     assert!(rods.straight_difference().unwrap() > 0.0);
+}
+
+#[test]
+fn stages_are_told_what_is_subtracted_and_give_rates_that_look_ahead() {
+    let model = Rods::new(Rod, [Rod]);
+    let mut state = model.at_rest();
+    state.first.position.x = -BIG_END;
+    state.first.modal_rates[1] = 0.1;
+    let mut increment = model.no_change(&state);
+    increment.others[0].rotation = Vector3::new(0.1, 0.2, 0.3);
+    let mut subtracted = model.no_change(&state);
+    subtracted.first.position.x = 1.0;
+    subtracted.first.modal_coordinates[0] = 2.0;
+    subtracted.first.modal_rates[3] = 3.0;
+    subtracted.bar.velocity.y = 4.0;
+    subtracted.others[0].rotation.z = 5.0;
+    subtracted.others[0].angular_velocity.z = 6.0;
+    for less in [None, Some(&subtracted)] {
+        RODS.with_borrow_mut(|(_, _, answer)| *answer = None);
+        let system = Constrained(&model);
+        let general = system.implicit_rates_at(0.0, state, &increment, 1e-3, less).unwrap();
+        assert_eq!(model.straight_implicit_rates(0.0, &state, &increment, 1e-3, less), None, "it declines");
+        RODS.with_borrow_mut(|(_, _, answer)| *answer = Some(velocities_of(&general)));
+        let straight = model.straight_implicit_rates(0.0, &state, &increment, 1e-3, less).unwrap();
+        // the same operations on the same numbers
+        assert_eq!(straight, general);
+        let (seen, gamma_h) = STAGE.get();
+        assert_eq!(gamma_h, 1e-3);
+        let mut expected = [0.0; 52];
+        if less.is_some() {
+            // of a body: position 3, rotation 3, modes 4, velocity 3, angular velocity 3, modes 4
+            (expected[0], expected[6], expected[19], expected[20 + 7]) = (1.0, 2.0, 3.0, 4.0);
+            let about_the_state = cayley_omega(&increment.others[0].rotation, &Vector3::new(0.0, 0.0, 5.0));
+            expected[32 + 3..32 + 6].copy_from_slice(about_the_state.as_slice());
+            expected[32 + 15] = 6.0;
+        }
+        assert_eq!(seen, expected);
+    }
 }

@@ -6,15 +6,23 @@ mod slider_crank {
     include!("../golden/straight_slider_crank.rs");
 }
 
-/// The double pendulum of `models/scenes`: a tree, with products contracted where the target has that.
+/// The double pendulum of `models/scenes`: a tree, with products contracted where the target has that; and its
+/// linearly implicit stages.
 mod double_pendulum {
     include!("../golden/straight_double_pendulum.rs");
 }
 
+/// The rotor of `benches/mechanisms/scenes` on two soft supports, with its linearly implicit stages.
+mod supported_rotor {
+    include!("../golden/straight_supported_rotor.rs");
+}
+
 use double_pendulum::DoublePendulum;
-use ffrf::mechanism::{Assembly as _, Constrained, Mechanism};
+use ffrf::mechanism::{Assembly, Constrained, Loaded, Mechanism, Treatment};
 use ffrf::nalgebra::{UnitQuaternion, Vector3};
+use ffrf::{GeneralisedAlpha, RadauIIA, step_linearly_implicit, step_linearly_implicit_euler};
 use slider_crank::{Rod, SliderCrank};
+use supported_rotor::SupportedRotor;
 
 /// Rounded in another order, relative to the accelerations: stiffness and reactions are some thousand times those.
 const ROUND_OFF: f64 = 1e-9;
@@ -92,14 +100,7 @@ fn where_straight_line_code_does_not_hold_the_equations_say_why() {
 
 #[test]
 fn a_double_pendulum_keeps_its_energy_by_straight_line_code() {
-    let model = DoublePendulum::new();
-    let mut state = model.at_rest();
-    let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.7);
-    state.upper.orientation = turned;
-    state.lower.orientation = turned;
-    state.lower.position = turned * Vector3::new(1.0, 0.0, 0.0);
-    let mut mechanism = model.in_motion(state);
-    mechanism.assemble().unwrap();
+    let mut mechanism = falling();
     let before = mechanism.energy();
     let total = |mechanism: &Mechanism<DoublePendulum>| {
         let energy = mechanism.energy();
@@ -115,4 +116,106 @@ fn a_double_pendulum_keeps_its_energy_by_straight_line_code() {
     assert!(kinetic > 1e-2, "it moves: {kinetic} J, {before:?} before");
     // of order four: (h ω)^4 ω T of some joules
     assert!((total(&mechanism) - start).abs() < 1e-6, "{} {start}", total(&mechanism));
+}
+
+/// A double pendulum that falls.
+fn falling() -> Mechanism<DoublePendulum> {
+    let model = DoublePendulum::new();
+    let mut state = model.at_rest();
+    let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.7);
+    state.upper.orientation = turned;
+    state.lower.orientation = turned;
+    state.lower.position = turned * Vector3::new(1.0, 0.0, 0.0);
+    let mut mechanism = model.in_motion(state);
+    mechanism.assemble().unwrap();
+    mechanism
+}
+
+/// A rotor that whirls.
+fn whirling() -> Mechanism<SupportedRotor> {
+    let model = SupportedRotor::new();
+    let mut state = model.at_rest();
+    state.rotor.angular_velocity.z = 600.0;
+    state.rotor.velocity.x = 0.05;
+    model.in_motion(state)
+}
+
+/// Advances with straight-line code and, as a load that is none makes of the same model, by the general equations.
+fn advances_by_implicit_stages<A: Assembly<f64, State: Copy>>(
+    mut mechanism: Mechanism<A>,
+    step: f64,
+    position: impl Fn(&A::State) -> Vector3<f64>,
+) {
+    let mut general = mechanism.state;
+    let start = position(&general);
+    for count in 0..400 {
+        // some: the code held here, and was used
+        let difference = mechanism.straight_implicit_difference(0.3 * step).unwrap();
+        assert!(difference < ROUND_OFF, "{difference:e} after {count} steps");
+        let Mechanism { model, state, time } = &mechanism;
+        let loaded = Loaded::new(model, |_: &A, _, _: &mut A::Ports<'_>| {});
+        let (straight, loaded) = (Constrained(model), Constrained(&loaded));
+        let (next, _) = if count % 4 == 3 {
+            general = step_linearly_implicit_euler(&loaded, &general, *time, step).unwrap().0;
+            step_linearly_implicit_euler(&straight, state, *time, step).unwrap()
+        } else {
+            general = step_linearly_implicit(&loaded, &general, *time, step).unwrap().0;
+            step_linearly_implicit(&straight, state, *time, step).unwrap()
+        };
+        mechanism.state = next;
+        mechanism.time += step;
+    }
+    let difference = (position(&mechanism.state) - position(&general)).norm();
+    let moved = (position(&general) - start).norm();
+    assert!(moved > 1e-5, "it moves: {moved:e} m");
+    assert!(difference < 1e-6 * moved, "{difference:e} of {moved:e} m");
+}
+
+#[test]
+fn linearly_implicit_steps_take_straight_line_code() {
+    advances_by_implicit_stages(falling(), 1e-3, |state| state.lower.position);
+    advances_by_implicit_stages(whirling(), 1e-4, |state| state.rotor.position);
+}
+
+/// The corrections of implicit methods are such stages too, where joints are kept by projection.
+#[test]
+fn implicit_methods_take_straight_line_code() {
+    let mechanism = whirling();
+    let Mechanism { model, state, .. } = &mechanism;
+    let loaded =
+        Loaded::new(model, |_: &SupportedRotor, _, _: &mut <SupportedRotor as Assembly<f64>>::Ports<'_>| {});
+    let radau = RadauIIA::order_five();
+    let (one, _) = radau.step(&Constrained(model), state, 0.0, 1e-4).unwrap();
+    let (other, _) = radau.step(&Constrained(&loaded), state, 0.0, 1e-4).unwrap();
+    let (moved, difference) =
+        (other.rotor.velocity.norm(), (one.rotor.velocity - other.rotor.velocity).norm());
+    // the sweeps end at ten digits
+    assert!(difference < 1e-9 * moved, "{difference:e} of {moved:e} m/s");
+    let alpha = GeneralisedAlpha::new();
+    let of = |memory, straight: bool| {
+        let mut memory = memory;
+        let step = if straight {
+            alpha.step(&Constrained(model), &mut memory, state, 0.0, 1e-4)
+        } else {
+            alpha.step(&Constrained(&loaded), &mut memory, state, 0.0, 1e-4)
+        };
+        step.unwrap().0
+    };
+    let memory = alpha.start(&Constrained(model), state, 0.0, 1e-4).unwrap();
+    let [one, other] = [true, false].map(|straight| of(memory, straight));
+    let difference = (one.rotor.velocity - other.rotor.velocity).norm();
+    assert!(difference < 1e-9 * moved, "{difference:e} of {moved:e} m/s");
+}
+
+#[test]
+fn other_treatments_and_stages_are_general() {
+    let mut mechanism = falling();
+    mechanism.model.treatment = Treatment::Baumgarte { alpha: 1.0, beta: 1.0 };
+    assert_eq!(mechanism.straight_implicit_difference(1e-4), None);
+    let mut mechanism = whirling();
+    assert!(mechanism.straight_implicit_difference(1e-4).is_some());
+    // no step: soft rows of nothing
+    assert_eq!(mechanism.straight_implicit_difference(0.0), None);
+    mechanism.state.rotor.position.x = f64::NAN;
+    mechanism.step_linearly_implicit(1e-4).unwrap_err();
 }

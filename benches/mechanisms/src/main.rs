@@ -146,13 +146,31 @@ mod straight_line {
     pub mod slider_crank_m8 {
         include!("../../../tests/golden/straight_slider_crank_m8.rs");
     }
+    pub mod supported_rod {
+        include!("../../../tests/golden/straight_supported_rod.rs");
+    }
+}
+use straight_line::supported_rod;
+
+ffrf::mechanism! {
+    /// The rod with four modes on two soft supports, as the scene `supported_rod` has it.
+    pub struct SupportedRod {
+        bodies: { rod: free Link },
+        gravity: [0.0, 0.0, -9.81],
+        forces: {
+            left: bushing(ground.at([-0.04740099151709372, 0.0, 0.0]), rod.BIG_END, stiffness: [1e7, 2e7, 3e7, 0.0, 0.0, 0.0], damping: [1e2, 2e2, 3e2, 0.0, 0.0, 0.0]),
+            right: bushing(ground.at([0.10225900184225423, 0.0, 0.0]), rod.SMALL_END, stiffness: [1e7, 2e7, 3e7, 0.0, 0.0, 0.0], damping: [1e2, 2e2, 3e2, 0.0, 0.0, 0.0]),
+        },
+    }
 }
 
-const NAMES: [&str; 16] = [
+const NAMES: [&str; 18] = [
     "slider_crank_m8",
     "slider_crank_m8_straight_line",
     "slider_crank_m8_step_rk4",
     "slider_crank_m8_step_linearly_implicit",
+    "supported_rod_m4_step_linearly_implicit",
+    "supported_rod_m4_step_linearly_implicit_straight_line",
     "chain_m4_n1",
     "chain_m4_n2",
     "chain_m4_n8",
@@ -216,10 +234,10 @@ fn turning() -> Mechanism<SliderCrank> {
 
 /// Steps that follow each other.
 #[inline(never)]
-fn advance(
-    mut mechanism: Mechanism<SliderCrank>,
+fn advance<A: Assembly<f64>>(
+    mut mechanism: Mechanism<A>,
     calls: usize,
-    step: impl Fn(&mut Mechanism<SliderCrank>, f64) -> Result<StepReport, StepError>,
+    step: impl Fn(&mut Mechanism<A>, f64) -> Result<StepReport, StepError>,
 ) {
     for _ in 0..calls {
         assert!(step(black_box(&mut mechanism), STEP).is_ok());
@@ -237,6 +255,16 @@ fn call(name: &str, calls: usize) -> Option<()> {
         }
         "slider_crank_m8_step_linearly_implicit" => {
             advance(turning(), calls, Mechanism::step_linearly_implicit);
+        }
+        "supported_rod_m4_step_linearly_implicit" => {
+            let model = SupportedRod::new(Link);
+            advance(model.in_motion(model.at_rest()), calls, Mechanism::step_linearly_implicit);
+        }
+        "supported_rod_m4_step_linearly_implicit_straight_line" => {
+            let model = supported_rod::SupportedRod::new(supported_rod::Rod);
+            let mechanism = model.in_motion(model.at_rest());
+            assert!(mechanism.straight_implicit_difference(STEP).is_some());
+            advance(mechanism, calls, Mechanism::step_linearly_implicit);
         }
         "chain_m4_n1" => rest!(Chain1::new(Link), calls),
         "chain_m4_n2" => rest!(Chain2::new([Link; 2]), calls),

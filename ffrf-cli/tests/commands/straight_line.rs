@@ -20,13 +20,14 @@ fn what_is_printed_is_what_is_compiled() {
     let benches = "benches/mechanisms";
     let committed = [
         ("", "models/scenes/slider_crank.toml --fma off", "tests/golden/straight_slider_crank.rs"),
-        ("", "models/scenes/double_pendulum.toml", "tests/golden/straight_double_pendulum.rs"),
+        ("", "models/scenes/double_pendulum.toml --implicit on", "tests/golden/straight_double_pendulum.rs"),
         (
             benches,
             "scenes/slider_crank_m8.toml --layout-tolerance 1e-10",
             "../../tests/golden/straight_slider_crank_m8.rs",
         ),
         (benches, "scenes/pendulum_n8.toml", "../../tests/golden/straight_pendulum_n8.rs"),
+        (benches, "scenes/supported_rotor.toml", "../../tests/golden/straight_supported_rotor.rs"),
         (benches, "scenes/supported_rod.toml", "../../tests/golden/straight_supported_rod.rs"),
     ];
     for (folder, words, file) in committed {

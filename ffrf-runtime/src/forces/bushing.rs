@@ -108,8 +108,8 @@ impl<T: RealField + Copy> ForceElement<T> for Bushing<T> {
     }
 }
 
-/// The quaternion (s, u) from the first to the second triad, of either sign: what is made of it is of second order. Frame: the
-/// first triad.
+/// The quaternion (s, u) from the first to the second triad, of either sign: all that is made of it has products of two of its
+/// numbers. Frame: the first triad.
 fn relative_rotation<T: RealField + Copy>(
     first: &MarkerMotion<T>,
     second: &MarkerMotion<T>,

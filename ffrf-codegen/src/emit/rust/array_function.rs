@@ -151,7 +151,8 @@ fn results(writer: &mut Writer, function: &ArrayFunction, listing: &Listing, sty
             Relation::Greater => ">",
             Relation::GreaterOrEqual => ">=",
         };
-        Some(format!("({left} {sign} {right})"))
+        let comparison = format!("{left} {sign} {right}");
+        Some(if function.conditions.len() > 1 { format!("({comparison})") } else { comparison })
     });
     // each is evaluated: a branch for each would cost more
     let conditions: Vec<String> = conditions.collect();
