@@ -5,6 +5,7 @@ mod events;
 mod reference_pendulum;
 mod scene_files;
 mod soft_rows;
+mod sweeps;
 mod term_bounds;
 mod tradeoff;
 mod treatments;

@@ -7,6 +7,7 @@ mod exponential;
 mod generalised_alpha;
 mod linearly_implicit;
 mod linearly_implicit_euler;
+mod mixing;
 mod radau;
 mod runge_kutta;
 mod step;
