@@ -214,6 +214,7 @@ const _: () = {
         rows: 5usize,
         node: 1usize,
         diagonal: 2usize,
+        is_support: false,
         ends: [
             ::core::option::Option::None,
             ::core::option::Option::Some(places::EndPlace {

@@ -626,6 +626,7 @@ const _: () = {
             rows: 5usize,
             node: 6usize,
             diagonal: 30usize,
+            is_support: true,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -639,6 +640,7 @@ const _: () = {
             rows: 1usize,
             node: 7usize,
             diagonal: 18usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -652,6 +654,7 @@ const _: () = {
             rows: 5usize,
             node: 8usize,
             diagonal: 32usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
@@ -669,6 +672,7 @@ const _: () = {
             rows: 3usize,
             node: 9usize,
             diagonal: 25usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
@@ -686,6 +690,7 @@ const _: () = {
             rows: 5usize,
             node: 10usize,
             diagonal: 23usize,
+            is_support: true,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -699,6 +704,7 @@ const _: () = {
             rows: 5usize,
             node: 11usize,
             diagonal: 29usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -712,6 +718,7 @@ const _: () = {
             rows: 4usize,
             node: 12usize,
             diagonal: 27usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
@@ -729,6 +736,7 @@ const _: () = {
             rows: 4usize,
             node: 13usize,
             diagonal: 21usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
@@ -931,6 +939,7 @@ const _: () = {
             rows: 5usize,
             node: 6usize,
             diagonal: 37usize,
+            is_support: true,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -944,6 +953,7 @@ const _: () = {
             rows: 1usize,
             node: 7usize,
             diagonal: 20usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -957,6 +967,7 @@ const _: () = {
             rows: 5usize,
             node: 8usize,
             diagonal: 39usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,
@@ -974,6 +985,7 @@ const _: () = {
             rows: 3usize,
             node: 9usize,
             diagonal: 28usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 1usize,
@@ -991,6 +1003,7 @@ const _: () = {
             rows: 5usize,
             node: 10usize,
             diagonal: 26usize,
+            is_support: true,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -1004,6 +1017,7 @@ const _: () = {
             rows: 5usize,
             node: 11usize,
             diagonal: 36usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::None,
                 ::core::option::Option::Some(places::EndPlace {
@@ -1017,6 +1031,7 @@ const _: () = {
             rows: 4usize,
             node: 12usize,
             diagonal: 34usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 3usize,
@@ -1034,6 +1049,7 @@ const _: () = {
             rows: 4usize,
             node: 13usize,
             diagonal: 24usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 4usize,
@@ -1051,6 +1067,7 @@ const _: () = {
             rows: 1usize,
             node: 14usize,
             diagonal: 31usize,
+            is_support: false,
             ends: [
                 ::core::option::Option::Some(places::EndPlace {
                     body: 0usize,

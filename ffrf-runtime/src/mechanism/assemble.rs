@@ -41,11 +41,12 @@ impl<A> Constrained<'_, A> {
         // force elements do not resist: they stand as the state says
         let gamma_h = [Some(nalgebra::convert(GAMMA_H)), None];
         let anything = T::max_value().unwrap_or(T::one());
-        let (mut state, first) = self.project_against(time, state, gamma_h, CORRECTIONS, anything)?;
+        let (mut state, first) =
+            self.project_against(time, state, gamma_h, (CORRECTIONS, anything), false)?;
         for _ in 1..PASSES {
-            state = self.project_against(time, state, gamma_h, CORRECTIONS, anything)?.0;
+            state = self.project_against(time, state, gamma_h, (CORRECTIONS, anything), false)?.0;
         }
-        let (state, _) = self.project_against(time, state, gamma_h, LAST_CORRECTIONS, tolerance)?;
+        let (state, _) = self.project_against(time, state, gamma_h, (LAST_CORRECTIONS, tolerance), false)?;
         Ok((state, first))
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::RealField;
 
 use super::soft_rows::{attach_soft_rows, pull_soft_rows};
-use super::supporting::stands;
+use super::standing::stands;
 use super::{Connection, EvaluatedJoint, Freedom, Limb, Plan, Ports, Regularisation};
 use crate::integrators::StepError;
 use crate::joints::Joint;

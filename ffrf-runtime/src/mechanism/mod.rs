@@ -3,6 +3,7 @@
 mod assemble;
 mod assembly;
 mod attached_rows;
+mod beyond;
 mod body_in_tree;
 mod body_on_support;
 mod body_port;
@@ -27,6 +28,7 @@ mod moving;
 mod node;
 mod plan;
 mod port;
+mod projected;
 mod projection;
 mod regularisation;
 mod rigid_frame;
@@ -36,6 +38,7 @@ mod sensing;
 mod soft_rows;
 mod softening;
 mod solved;
+mod standing;
 mod support;
 mod support_port;
 mod supporting;
@@ -68,7 +71,7 @@ pub use plan::{
     SharedPlace,
 };
 pub use port::{Phase, Port, Ports};
-pub use projection::Projected;
+pub use projected::Projected;
 pub use regularisation::Regularisation;
 pub use rigid_frame::RigidFrame;
 pub use room::Room;

@@ -3,41 +3,9 @@
 use nalgebra::RealField;
 
 use super::constrained::{constraints, equations};
+use super::projected::ENOUGH;
 use super::{Assembly, Constrained, EvaluatedJoint, ImplicitTerms, Level};
 use crate::integrators::{Drift, StepError};
-
-/// The share of a step's drift that its projection may leave: what a step leaves open is of the size of its error, and more
-/// digits of it say nothing about the motion.
-const ENOUGH: f64 = 1e-6;
-
-/// Round-off of a residual: in units of ε, and of ε times the largest number that it is a difference of.
-const ROUND_OFF: [f64; 2] = [16.0, 2.0];
-
-/// A state after one correction of places and one of velocities.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Projected<S, T = f64> {
-    /// The state.
-    pub state: S,
-    /// The largest residuals of places and of velocities before. Units: m or rad; m/s or rad/s.
-    pub before: [T; 2],
-    /// The same behind the corrections.
-    pub after: [T; 2],
-    /// The largest place and velocity of a body. Units: m; m/s or rad/s.
-    pub sizes: [T; 2],
-}
-
-impl<S, T: RealField + Copy> Projected<S, T> {
-    /// Whether nothing is left that another correction would take away. `tolerance`: of places. Units: m or rad.
-    pub(super) fn meets(&self, tolerance: T) -> bool {
-        let [units, share]: [T; 2] = ROUND_OFF.map(|units| T::default_epsilon() * nalgebra::convert(units));
-        let small = |k: usize| {
-            let enough = self.before[k] * nalgebra::convert(ENOUGH);
-            // not a number is not met
-            self.after[k] <= enough.max(units).max(share * self.sizes[k])
-        };
-        small(0) && small(1) && self.after[0] <= tolerance
-    }
-}
 
 impl<A> Constrained<'_, A> {
     /// One correction of places and one of velocities by one factorisation, whatever is left then: what [`project`](Self::project)
@@ -98,17 +66,18 @@ impl<A> Constrained<'_, A> {
         T: RealField + Copy,
     {
         let soft = gamma_h.filter(|_| self.0.soft(0).is_some());
-        self.project_against(time, state, [gamma_h, soft], iterations, tolerance)
+        self.project_against(time, state, [gamma_h, soft], (iterations, tolerance), true)
     }
 
-    /// [`project`](Self::project) with γ h of the modes and, if they resist, of soft rows.
+    /// [`project`](Self::project) with γ h of the modes and, if they resist, of soft rows. `supported`: whether bodies may stand on
+    /// their supports, which are met then whatever the other joints ask for.
     pub(super) fn project_against<T>(
         &self,
         time: T,
         state: A::State,
         [gamma_h, soft]: [Option<T>; 2],
-        iterations: usize,
-        tolerance: T,
+        (iterations, tolerance): (usize, T),
+        supported: bool,
     ) -> Result<(A::State, Drift<T>), StepError>
     where
         A: Assembly<T>,
@@ -125,7 +94,7 @@ impl<A> Constrained<'_, A> {
         let equations = equations(assembly, with_soft);
         let drift = assembly.with_storage(equations, |storage| {
             let drive = |joint| assembly.drive(joint, time);
-            let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+            let mut evaluated = constraints(assembly, &mut ports, storage, equations, supported);
             evaluated.evaluate(&drive);
             let mut left = evaluated.residuals();
             let drift = Drift { position: left.0[0], velocity: left.0[1] };
@@ -138,7 +107,7 @@ impl<A> Constrained<'_, A> {
                     if left.0[index] <= enough {
                         break;
                     }
-                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, supported);
                     if !factored {
                         if let Some(gamma_h) = soft {
                             evaluated.soften(assembly, gamma_h);
@@ -148,7 +117,7 @@ impl<A> Constrained<'_, A> {
                     }
                     evaluated.correct(level);
                     assembly.correct(&mut ports, level);
-                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
+                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, supported);
                     match level {
                         Level::Position => evaluated.evaluate(&drive),
                         Level::Velocity => evaluated.follow_velocities(),

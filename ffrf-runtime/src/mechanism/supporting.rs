@@ -2,25 +2,11 @@
 
 use nalgebra::RealField;
 
-use super::sweep::beyond;
-use super::{Constraints, EvaluatedJoint, JointPlace, Ports, Support, Target};
+use super::beyond::beyond;
+use super::standing::{end_on_body, stands};
+use super::{Constraints, EvaluatedJoint, Support, Target};
 use crate::relations::add_powers;
 use crate::six::{add_scaled, scaled};
-
-/// The end of a joint with the ground on its body, and whether it is the second one.
-fn end_on_body(place: &JointPlace) -> Option<(usize, usize, bool)> {
-    match place.ends {
-        [Some(end), None] => Some((end.body, end.slot, false)),
-        [None, Some(end)] => Some((end.body, end.slot, true)),
-        _ => None,
-    }
-}
-
-/// Whether the body of this joint stands on it.
-pub(super) fn stands<T: RealField + Copy>(ports: &dyn Ports<T>, place: &JointPlace) -> bool {
-    let Some((body, slot, _)) = end_on_body(place) else { return false };
-    ports.port(body).is_some_and(|port| port.support() == Some(slot))
-}
 
 impl<T: RealField + Copy> Constraints<'_, '_, T> {
     /// Puts bodies that have their factors on their supports, and sets their diagonal blocks.

@@ -2,8 +2,9 @@
 
 use nalgebra::{RealField, Vector3};
 
+use super::beyond::beyond;
 use super::tree::{Parent, Seat, hold};
-use super::{Branch, Connection, Constraints, EvaluatedJoint, Freedom, Limb, LimbEnd, Plan, Storage};
+use super::{Branch, Connection, Constraints, Freedom, Limb, LimbEnd, Plan, Storage};
 use crate::integrators::StepError;
 use crate::six::{add, scaled};
 
@@ -30,23 +31,6 @@ fn motions<'f, T>(
 ) -> Option<(Motions<'f, T>, Motions<'f, T>)> {
     let own = freedoms.get_mut(branch.freedom..)?.get_mut(..branch.freedoms)?;
     own.split_at_mut_checked(3_usize.saturating_sub(held_translations))
-}
-
-/// How far the rows of a joint act beyond one of its ends.
-///
-/// Both ends are seen where the second one is: rows that hold a point or a distance do not ask where, and the others have the
-/// moment of that distance at their first end.
-#[inline(always)]
-pub(super) fn beyond<T: RealField + Copy>(
-    connection: &Connection<T>,
-    joint: &EvaluatedJoint<T>,
-    second: bool,
-) -> Vector3<T> {
-    if second || connection.kind.holds_point() {
-        Vector3::zeros()
-    } else {
-        joint.ends[1].position - joint.ends[0].position
-    }
 }
 
 /// Sets where a body is held, in its place.

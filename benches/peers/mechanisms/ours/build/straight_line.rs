@@ -24,7 +24,7 @@ pub fn pendulums() -> String {
     code.join("\n")
 }
 
-/// The function `accelerations` of the mechanism of `scenes/CASE.toml`, whose body is in `folder`.
+/// The function `accelerations` of the mechanism of the scene of a case beside the sources, whose body is in `folder`.
 pub fn scene(case: &str, folder: &Path) -> String {
     let path = format!("scenes/{case}.toml");
     println!("cargo::rerun-if-changed={path}");
