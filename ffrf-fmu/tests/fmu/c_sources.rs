@@ -42,7 +42,7 @@ const SENSED: f64 = 100.0;
 const SENSED_BEHIND_DAMPERS: f64 = 1e4;
 /// The same on stiff modes, where the desktop lets bodies stand on their joints with the ground and C holds them by rows: round-off of
 /// another kind, enlarged by the stiffness.
-const SENSED_ON_STIFF_MODES: f64 = 3e3;
+const SENSED_ON_STIFF_MODES: f64 = 2e4;
 
 fn largest(numbers: &[f64]) -> f64 {
     numbers.iter().fold(0.0, |largest, number| f64::max(largest, number.abs()))
