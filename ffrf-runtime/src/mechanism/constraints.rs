@@ -82,7 +82,7 @@ pub struct Constraints<'a, 's, T: RealField + Copy> {
     pub storage: &'a mut Storage<'s, T>,
     /// Treatment of redundant rows.
     pub regularisation: Regularisation<T>,
-    /// Whether bodies stand on their [supports](JointPlace::is_support), whose multipliers are then not found.
+    /// Whether bodies stand on their [supports](super::JointPlace::is_support), whose multipliers are then not found.
     pub supported: bool,
 }
 
