@@ -25,30 +25,30 @@ pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -
     let scene = scene.with_layout_tolerance(options.layout_tolerance);
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let title = camel(arguments.name.as_deref().unwrap_or(&stem));
-    let name = format!("{}_accelerations", snake_case(&title));
-    let code = |function: ArrayFunction| generate_array_function(&function, &options).with_context(shown);
-    let mut functions = code(accelerations(&scene, &name).with_context(shown)?)?.text;
+    let named = |what: &str| format!("{}_{what}", snake_case(&title));
+    let name = named("accelerations");
+    let mut functions = vec![accelerations(&scene, &name).with_context(shown)?];
+    let has_implicit_stages = scene.settings.integrator.has_implicit_stages();
     let is_implicit = match arguments.implicit {
-        ImplicitStages::Auto => scene.settings.integrator.has_implicit_stages(),
+        ImplicitStages::Auto => has_implicit_stages,
         ImplicitStages::On => true,
         ImplicitStages::Off => false,
     };
-    let implicit_name = is_implicit.then(|| format!("{}_implicit_accelerations", snake_case(&title)));
+    let implicit_name = is_implicit.then(|| named("implicit_accelerations"));
     if let Some(name) = &implicit_name {
-        functions.push('\n');
-        functions.push_str(&code(implicit_accelerations(&scene, name).with_context(shown)?)?.text);
+        functions.push(implicit_accelerations(&scene, name).with_context(shown)?);
     }
+    let mut projection_name = None;
     // implicit steps are projected by the matrix of their stages
-    let projection_name = format!("{}_projection", snake_case(&title));
-    let projection = match scene.settings.integrator.has_implicit_stages() {
-        true => None,
-        false => projection(&scene, &projection_name).with_context(shown)?,
-    };
-    let is_projected = projection.is_some();
-    if let Some(function) = projection {
-        functions.push('\n');
-        functions.push_str(&code(function)?.text);
+    if !has_implicit_stages
+        && let Some(function) = projection(&scene, &named("projection")).with_context(shown)?
+    {
+        projection_name = Some(function.name.clone());
+        functions.push(function);
     }
+    let code =
+        |function: &ArrayFunction| Ok(generate_array_function(function, &options).with_context(shown)?.text);
+    let functions = functions.iter().map(code).collect::<Result<Vec<String>>>()?.join("\n");
     let calls = MacroCalls {
         title: &title,
         bodies: &scene.body_calls(&file),
@@ -56,7 +56,7 @@ pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -
         layout_tolerance: options.layout_tolerance,
         accelerations: Some(&name),
         implicit_accelerations: implicit_name.as_deref(),
-        projection: is_projected.then_some(projection_name.as_str()),
+        projection: projection_name.as_deref(),
     };
     let source = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let text = format!(

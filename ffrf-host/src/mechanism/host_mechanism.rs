@@ -91,9 +91,7 @@ impl HostMechanism {
             regularisation,
         })
     }
-}
 
-impl HostMechanism {
     /// Puts a body with as many modes in the place of one, with its first markers.
     pub(crate) fn replace_body(
         &mut self,

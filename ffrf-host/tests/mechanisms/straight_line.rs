@@ -56,6 +56,12 @@ fn near(scene: &Scene, random: &mut Random) -> (Vec<State<HostModal>>, Vec<f64>)
     (states, numbers)
 }
 
+/// Value, rate and acceleration of each connection that has a drive, zeros of the others.
+fn drive_values(scene: &Scene, random: &mut Random) -> Vec<[f64; 3]> {
+    let drives = scene.mechanism.drives().iter();
+    drives.map(|drive| if drive.is_some() { [0, 1, 2].map(|_| random.number()) } else { [0.0; 3] }).collect()
+}
+
 /// Results and whether the conditions hold, by interpreting the operations.
 fn interpreted(function: &ArrayFunction, state: &[f64], drives: &[f64]) -> (Vec<f64>, bool) {
     interpreted_stage(function, state, &[], f64::NAN, drives)
@@ -81,14 +87,10 @@ fn interpreted_stage(
 /// Compares so many states in which the conditions hold; gives how many there were.
 fn compare(name: &str, scene: &Scene, function: &ArrayFunction) -> usize {
     let mut random = Random::new(7);
-    let connections = scene.mechanism.drives();
     let mut seen = 0;
     for case in 0..12 {
         let (states, numbers) = near(scene, &mut random);
-        let values: Vec<[f64; 3]> = connections
-            .iter()
-            .map(|drive| if drive.is_some() { [0, 1, 2].map(|_| random.number()) } else { [0.0; 3] })
-            .collect();
+        let values = drive_values(scene, &mut random);
         let array: Vec<f64> = values.iter().flatten().copied().collect();
         let mechanism = scene.mechanism.cast::<f64>().with_drive_values(values);
         let system = Constrained(&mechanism);
@@ -187,10 +189,7 @@ fn compare_stages(name: &str, scene: &Scene, function: &ArrayFunction) -> usize 
         // of no step size that the equations were traced with
         let gamma_h = 2e-4 * (1.5 + random.number());
         let subtracted = change(&origin, 1.0, &mut random);
-        let drives = scene.mechanism.drives().iter();
-        let values: Vec<[f64; 3]> = drives
-            .map(|drive| if drive.is_some() { [0, 1, 2].map(|_| random.number()) } else { [0.0; 3] })
-            .collect();
+        let values = drive_values(scene, &mut random);
         let array = values.concat();
         let mechanism = scene.mechanism.cast::<f64>().with_drive_values(values);
         let system = Constrained(&mechanism);
@@ -274,10 +273,7 @@ fn straight_line_projections_have_the_bits_of_the_equations() {
         let mut seen = 0;
         for case in 0..12 {
             let (states, numbers) = near(&scene, &mut random);
-            let drives = scene.mechanism.drives().iter();
-            let values: Vec<[f64; 3]> = drives
-                .map(|drive| if drive.is_some() { [0, 1, 2].map(|_| random.number()) } else { [0.0; 3] })
-                .collect();
+            let values = drive_values(&scene, &mut random);
             let array = values.concat();
             let mechanism = scene.mechanism.cast::<f64>().with_drive_values(values);
             let mut residuals = Vec::new();

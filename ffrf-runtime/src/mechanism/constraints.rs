@@ -2,6 +2,7 @@
 
 use nalgebra::RealField;
 
+use super::projected::round_off;
 use super::soft_rows::{attach_soft_rows, pull_soft_rows};
 use super::standing::stands;
 use super::{Connection, EvaluatedJoint, Freedom, Limb, Plan, Ports, Regularisation};
@@ -388,8 +389,7 @@ impl<T: RealField + Copy> Constraints<'_, '_, T> {
             largest[0] = end.position.iter().fold(largest[0], |largest, entry| largest.max(entry.abs()));
             largest[1] = velocities.fold(largest[1], |largest, entry| largest.max(entry.abs()));
         }
-        let [least, share]: [T; 2] = [16.0, 2.0].map(|units| T::default_epsilon() * nalgebra::convert(units));
-        largest.map(|largest| least.max(share * largest))
+        largest.map(round_off)
     }
 
     /// The largest residual of positions and of velocities, and the joint with the largest position residual.

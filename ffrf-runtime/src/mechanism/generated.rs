@@ -103,6 +103,14 @@ fn put<'a, T: Copy + 'a>(numbers: &[T], places: &mut impl Iterator<Item = &'a mu
     }
 }
 
+/// Takes numbers from the next places.
+#[inline]
+fn take<T>(numbers: &mut [T], places: &mut impl Iterator<Item = T>) {
+    for (number, place) in numbers.iter_mut().zip(places) {
+        *number = place;
+    }
+}
+
 /// Takes the numbers of a state from the next places; see [`put_state`].
 #[inline]
 pub fn take_state<V: ModalVector<T>, T: RealField + Copy>(
@@ -110,17 +118,12 @@ pub fn take_state<V: ModalVector<T>, T: RealField + Copy>(
     places: &mut impl Iterator<Item = T>,
 ) {
     let mut orientation = state.orientation.coords;
-    let mut take = |numbers: &mut [T]| {
-        for (place, number) in numbers.iter_mut().zip(&mut *places) {
-            *place = number;
-        }
-    };
-    take(state.position.as_mut_slice());
-    take(orientation.as_mut_slice());
-    take(state.modal_coordinates.as_mut_slice());
-    take(state.velocity.as_mut_slice());
-    take(state.angular_velocity.as_mut_slice());
-    take(state.modal_rates.as_mut_slice());
+    take(state.position.as_mut_slice(), places);
+    take(orientation.as_mut_slice(), places);
+    take(state.modal_coordinates.as_mut_slice(), places);
+    take(state.velocity.as_mut_slice(), places);
+    take(state.angular_velocity.as_mut_slice(), places);
+    take(state.modal_rates.as_mut_slice(), places);
     // of length one: it was divided by its length
     state.orientation = UnitQuaternion::new_unchecked(Quaternion::from(orientation));
 }
@@ -159,14 +162,9 @@ pub fn rate_with<V: ModalVector<T>, T: RealField + Copy>(
     accelerations: &mut impl Iterator<Item = T>,
 ) -> Increment<V, T> {
     let mut rate = increment.place_rate(state);
-    let mut take = |places: &mut [T]| {
-        for (place, acceleration) in places.iter_mut().zip(&mut *accelerations) {
-            *place = acceleration;
-        }
-    };
-    take(rate.velocity.as_mut_slice());
-    take(rate.angular_velocity.as_mut_slice());
-    take(rate.modal_rates.as_mut_slice());
+    take(rate.velocity.as_mut_slice(), accelerations);
+    take(rate.angular_velocity.as_mut_slice(), accelerations);
+    take(rate.modal_rates.as_mut_slice(), accelerations);
     rate
 }
 

@@ -3,9 +3,28 @@
 use nalgebra::RealField;
 
 use super::constrained::{constraints, equations};
-use super::projected::ENOUGH;
-use super::{Assembly, Constrained, EvaluatedJoint, ImplicitTerms, Level};
+use super::projected::enough;
+use super::{Assembly, Constrained, Constraints, Equations, EvaluatedJoint, ImplicitTerms, Level, Storage};
 use crate::integrators::{Drift, StepError};
+
+/// The joints after one correction of a level by the factors that there are.
+fn corrected<'a, 's, A: Assembly<T>, T: RealField + Copy>(
+    assembly: &'a A,
+    ports: &'a mut A::Ports<'_>,
+    storage: &'a mut Storage<'s, T>,
+    (equations, supported): (Equations, bool),
+    level: Level,
+    drive: &dyn Fn(usize) -> [T; 3],
+) -> Constraints<'a, 's, T> {
+    constraints(assembly, ports, storage, equations, supported).correct(level);
+    assembly.correct(ports, level);
+    let mut evaluated = constraints(assembly, ports, storage, equations, supported);
+    match level {
+        Level::Position => evaluated.evaluate(drive),
+        Level::Velocity => evaluated.follow_velocities(),
+    }
+    evaluated
+}
 
 impl<A> Constrained<'_, A> {
     /// One correction of places and one of velocities by one factorisation, whatever is left then: what [`project`](Self::project)
@@ -33,14 +52,7 @@ impl<A> Constrained<'_, A> {
             look(evaluated.storage.joints);
             evaluated.factor()?;
             for level in [Level::Position, Level::Velocity] {
-                let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
-                evaluated.correct(level);
-                assembly.correct(&mut ports, level);
-                let mut evaluated = constraints(assembly, &mut ports, storage, equations, true);
-                match level {
-                    Level::Position => evaluated.evaluate(&drive),
-                    Level::Velocity => evaluated.follow_velocities(),
-                }
+                corrected(assembly, &mut ports, storage, (equations, true), level, &drive);
             }
             look(storage.joints);
             Ok(())
@@ -102,7 +114,7 @@ impl<A> Constrained<'_, A> {
             let mut factored = false;
             for level in [Level::Position, Level::Velocity] {
                 let index = if level == Level::Position { 0 } else { 1 };
-                let enough = round_off[index].max(left.0[index] * nalgebra::convert(ENOUGH));
+                let enough = enough(left.0[index], round_off[index]);
                 for _ in 0..iterations {
                     if left.0[index] <= enough {
                         break;
@@ -115,14 +127,8 @@ impl<A> Constrained<'_, A> {
                         evaluated.factor()?;
                         factored = true;
                     }
-                    evaluated.correct(level);
-                    assembly.correct(&mut ports, level);
-                    let mut evaluated = constraints(assembly, &mut ports, storage, equations, supported);
-                    match level {
-                        Level::Position => evaluated.evaluate(&drive),
-                        Level::Velocity => evaluated.follow_velocities(),
-                    }
-                    left = evaluated.residuals();
+                    let by = (equations, supported);
+                    left = corrected(assembly, &mut ports, storage, by, level, &drive).residuals();
                 }
             }
             if left.0[0] <= tolerance {

@@ -9,7 +9,7 @@ use crate::relations::add_powers;
 use crate::six::{add_scaled, scaled};
 
 impl<T: RealField + Copy> Constraints<'_, '_, T> {
-    /// Puts bodies that have their factors on their supports, and sets their diagonal blocks.
+    /// Puts bodies that have their factors on their supports.
     pub(super) fn put_on_supports(&mut self) {
         let joints = self.plan.joints.iter().zip(self.connections).zip(self.storage.joints.iter());
         for ((place, connection), joint) in joints.filter(|((place, _), _)| place.is_support) {
