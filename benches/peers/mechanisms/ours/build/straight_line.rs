@@ -1,12 +1,14 @@
-//! The accelerations of the mechanisms in straight-line code, from scenes of the same numbers.
+//! Accelerations, linearly implicit stages and projections of the mechanisms in straight-line code, from scenes of the same numbers.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-use ffrf_codegen::{GenerateOptions, generate_array_function};
+use ffrf_codegen::{ArrayFunction, GenerateOptions, generate_array_function};
 use ffrf_host::scene::Scene;
 use ffrf_host::scene::file::SceneFile;
-use ffrf_host::straight_line::accelerations;
+use ffrf_host::straight_line::{accelerations, implicit_accelerations, projection};
+
+use crate::LAYOUT_TOLERANCE;
 
 /// Numbers of links of the rigid pendulums.
 const LINKS: [usize; 7] = [1, 2, 4, 8, 16, 32, 64];
@@ -19,22 +21,28 @@ pub fn pendulums() -> String {
     let code = LINKS.map(|links| {
         let file = SceneFile::parse(&pendulum(links)).expect("the text of a scene");
         let scene = Scene::compose(&file, Path::new("")).expect("a pendulum");
-        function(&format!("pendulum_{links}"), &scene)
+        function(&accelerations(&scene, &format!("pendulum_{links}")).expect("accelerations exist"))
     });
     code.join("\n")
 }
 
-/// The function `accelerations` of the mechanism of the scene of a case beside the sources, whose body is in `folder`.
+/// The functions `accelerations`, `implicit_accelerations` and, if it has joints, `projection` of the mechanism of the scene of
+/// a case beside the sources, whose body is in `folder`.
 pub fn scene(case: &str, folder: &Path) -> String {
     let path = format!("scenes/{case}.toml");
     println!("cargo::rerun-if-changed={path}");
     let file = SceneFile::read(Path::new(&path)).expect("a scene");
-    function("accelerations", &Scene::compose(&file, folder).expect("a mechanism"))
+    let scene = Scene::compose(&file, folder).expect("a mechanism").with_layout_tolerance(LAYOUT_TOLERANCE);
+    let mut functions = vec![
+        accelerations(&scene, "accelerations").expect("accelerations exist"),
+        implicit_accelerations(&scene, "implicit_accelerations").expect("they exist in stages, too"),
+    ];
+    functions.extend(projection(&scene, "projection").expect("a projection exists"));
+    functions.iter().map(function).collect::<Vec<String>>().join("\n")
 }
 
-fn function(name: &str, scene: &Scene) -> String {
-    let function = accelerations(scene, name).expect("accelerations exist");
-    generate_array_function(&function, &GenerateOptions::default()).expect("valid code").text
+fn function(function: &ArrayFunction) -> String {
+    generate_array_function(function, &GenerateOptions::default()).expect("valid code").text
 }
 
 /// The scene of so many links, stretched along x.

@@ -19,7 +19,7 @@ const DAMPING: f64 = 2e6;
 const SPEED: f64 = 100.0 * std::f64::consts::PI;
 
 macro_rules! supported {
-    ($name:ident $state:ident $run:ident { $($accelerations:tt)* }) => {
+    ($name:ident $state:ident $run:ident { $($functions:tt)* }) => {
         ffrf::mechanism! {
             /// The right support does not hold along the axis.
             pub struct $name {
@@ -37,7 +37,7 @@ macro_rules! supported {
                     middle: position(rotor.MIDDLE),
                     right_end: position(rotor.RIGHT),
                 },
-                $($accelerations)*
+                $($functions)*
             }
         }
 
@@ -57,7 +57,10 @@ macro_rules! supported {
     };
 }
 supported!(Supported SupportedState general {});
-supported!(Straight StraightState straight { accelerations: straight_line::accelerations, });
+supported!(Straight StraightState straight {
+    accelerations: straight_line::accelerations,
+    implicit_accelerations: straight_line::implicit_accelerations,
+});
 
 /// It turns at rest, without its unbalance's deflection; observed: both ends and the middle.
 pub fn run(request: &Request) -> Result<String, String> {

@@ -13,7 +13,7 @@ mod straight_line {
 use rod::Rod;
 
 macro_rules! slider_crank {
-    ($name:ident $state:ident $run:ident { $($accelerations:tt)* }) => {
+    ($name:ident $state:ident $run:ident { $($functions:tt)* }) => {
         ffrf::mechanism! {
             /// Crank, rod with two lateral and two axial modes, slider.
             pub struct $name {
@@ -30,7 +30,7 @@ macro_rules! slider_crank {
                 },
                 drives: { motor: angle(main, polynomial: [0.0, 150.0]) },
                 sensors: { tip: position(rod.TIP), middle: position(rod.MIDDLE) },
-                $($accelerations)*
+                $($functions)*
             }
         }
 
@@ -74,7 +74,11 @@ macro_rules! slider_crank {
     };
 }
 slider_crank!(SliderCrank SliderCrankState general {});
-slider_crank!(Straight StraightState straight { accelerations: straight_line::accelerations, });
+slider_crank!(Straight StraightState straight {
+    accelerations: straight_line::accelerations,
+    implicit_accelerations: straight_line::implicit_accelerations,
+    projection: straight_line::projection,
+});
 
 /// The initial values of crank.f, moved to where the joints are met to round-off; observed: the rod's tip and middle.
 pub fn run(request: &Request) -> Result<String, String> {
