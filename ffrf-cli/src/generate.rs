@@ -31,6 +31,9 @@ pub fn run(arguments: &Generate) -> Result<()> {
     if arguments.implicit == ImplicitStages::On && (scene.is_none() || arguments.language != Language::Rust) {
         bail!("--implicit on: expected a scene and --language rust");
     }
+    if arguments.all_motions && (scene.is_none() || arguments.language != Language::Rust) {
+        bail!("--all-motions: expected a scene and --language rust");
+    }
     if let Some(scene) = scene {
         return mechanism(arguments, scene, options);
     }

@@ -82,6 +82,10 @@ pub struct Generate {
     /// of the scene has such stages (linearly_implicit, linearly_implicit_euler, generalized_alpha, radau5, radau7).
     #[arg(long, value_name = "WHEN", default_value = "auto")]
     pub implicit: ImplicitStages,
+    /// Straight-line code of a scene for all states, also those that its own motion does not lead to, as out of its plane
+    /// (default: what is zero in the scene and stays so is a constant in the code; elsewhere the equations are solved).
+    #[arg(long, action = ArgAction::SetTrue)]
+    pub all_motions: bool,
     /// Below which size, relative to its Gram scale, an entry of an invariant counts as zero.
     #[arg(long, value_name = "X", default_value_t = DEFAULT_LAYOUT_TOLERANCE, value_parser = parse_tolerance)]
     pub layout_tolerance: f64,

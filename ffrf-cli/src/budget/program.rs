@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use ffrf_codegen::{FusedMultiplyAdd, GenerateOptions, ScalarType, generate_array_function};
 use ffrf_host::scene::Scene;
 use ffrf_host::scene::file::{FidelityValue, SceneFile};
-use ffrf_host::straight_line::accelerations;
+use ffrf_host::straight_line::{Motions, accelerations};
 use ffrf_model::{ModeSelection, ReducedBody};
 
 use super::mechanism_code;
@@ -154,7 +154,8 @@ pub fn mechanism(program: &MechanismProgram<'_>) -> Result<Subject> {
                 "--straight-line: expected --scalar f64 and --integrator rk4, which asks for accelerations"
             );
         }
-        let code = generate_array_function(&accelerations(&scene, function)?, &GenerateOptions::default())?;
+        let accelerations = accelerations(&scene, &Motions::of(&scene)?, function)?;
+        let code = generate_array_function(&accelerations, &GenerateOptions::default())?;
         library.push_str(&code.text);
     }
     let mut set = String::new();

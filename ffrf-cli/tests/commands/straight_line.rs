@@ -76,6 +76,7 @@ fn what_straight_line_code_cannot_have_is_refused() {
             "models/conrod.ffrf.json --implicit on".to_owned(),
             ["--implicit on", "a scene and --language rust"],
         ),
+        (format!("{scene} --all-motions --language c"), ["--all-motions", "a scene and --language rust"]),
         ("models/scenes/flexible_rotor.toml".to_owned(), ["forces.motor", "expected a scene without it"]),
         ("models/scenes/crane.toml".to_owned(), ["atan2", "a scene without torsion springs"]),
     ] {

@@ -6,6 +6,7 @@ use ffrf_runtime::mechanism::{Assembly, Constrained, Treatment};
 use ffrf_runtime::{State, StepError, System};
 use ffrf_trace::{Tape, Traced, record};
 
+use super::Motions;
 use super::StraightLineError;
 use super::arguments::Arguments;
 use crate::scene::Scene;
@@ -30,12 +31,17 @@ const OFF: [f64; 3] = [1e-3, 1e-6, 1e-9];
 /// `state`: of each body position (inertial), orientation as i, j, k, w, modal coordinates, velocity (inertial), angular
 /// velocity (body) and modal rates. `drives`: value, rate and acceleration for each joint, zeros, and behind it for its drive.
 /// `accelerations`: of each body those of the frame origin (inertial), angular ones (body) and modal ones. `false`: a
-/// comparison came out otherwise than near the initial state, and the results are not to be used.
+/// comparison came out otherwise than near the initial state, or something is not zero that does not move by `motions`; the
+/// results are not to be used.
 ///
 /// Errors: see [`StraightLineError`].
-pub fn accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, StraightLineError> {
+pub fn accelerations(
+    scene: &Scene,
+    motions: &Motions,
+    name: &str,
+) -> Result<ArrayFunction, StraightLineError> {
     check(scene)?;
-    let arguments = Arguments::of(scene);
+    let arguments = Arguments::of(scene, motions);
     let (results, tape) = trace(scene, &arguments, |system, state, _| {
         let rates = system.rates(Traced::number(0.0), state, &system.no_change(state))?;
         Ok(Arguments::results(&rates))
@@ -54,6 +60,7 @@ pub fn accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, Straigh
         documentation: documentation
             .into_iter()
             .map(str::to_owned)
+            .chain(motions.documentation())
             .chain(arguments.table(&[("state", 13, 2), ("accelerations", 6, 1)]))
             .collect(),
         inputs: vec![arguments.state, arguments.drives],

@@ -5,6 +5,7 @@ use ffrf_runtime::{Increment, State};
 use ffrf_trace::Traced;
 use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
 
+use super::Motions;
 use crate::scene::Scene;
 use crate::{HostModal, mechanism::HostIncrement};
 
@@ -19,6 +20,43 @@ impl Scatter {
     }
 }
 
+/// How large all numbers together may be that are taken as zero, as a norm (m, rad, modal units; 1/s of them): the round-off of
+/// motions of 1e3 of these units.
+pub(super) const STILL: f64 = 1e-13;
+
+/// Entries of an array one after the other, zeros where nothing moves.
+struct Entries<'a> {
+    array: &'a ArrayInput,
+    moving: core::iter::Enumerate<core::slice::Iter<'a, bool>>,
+    /// The sum of the squares of those that are taken as zero.
+    still: Traced,
+}
+
+impl<'a> Entries<'a> {
+    fn of(array: &'a ArrayInput, moving: &'a [bool]) -> Self {
+        Self { array, moving: moving.iter().enumerate(), still: Traced::number(0.0) }
+    }
+
+    /// The next one: an input with this value if it moves.
+    fn next(&mut self, value: f64) -> Traced {
+        let zero = Traced::number(0.0);
+        let Some((index, is_moving)) = self.moving.next() else { return zero };
+        let symbol = self.array.symbol(index);
+        if *is_moving {
+            return Traced::input(symbol, value);
+        }
+        let still = Traced::input(symbol, 0.0);
+        self.still += still * still;
+        zero
+    }
+
+    /// Takes for granted that what is taken as zero is.
+    fn grant(self) {
+        // the comparison is written down
+        let _ = self.still <= Traced::number(STILL * STILL);
+    }
+}
+
 /// State and drives of a scene, and what a linearly implicit stage has besides, entry by entry.
 pub(super) struct Arguments {
     pub(super) state: ArrayInput,
@@ -27,10 +65,11 @@ pub(super) struct Arguments {
     pub(super) gamma_h: ArrayInput,
     /// Number of modes of each body, behind its name.
     bodies: Vec<(String, usize)>,
+    motions: Motions,
 }
 
 impl Arguments {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(super) fn of(scene: &Scene, motions: &Motions) -> Self {
         let modes = scene.initial.iter().map(|state| state.modal_coordinates.0.len());
         let bodies: Vec<(String, usize)> = scene.body_names.iter().cloned().zip(modes).collect();
         let count = |rigid: usize| bodies.iter().map(|(_, modes)| rigid + 2 * modes).sum();
@@ -41,6 +80,7 @@ impl Arguments {
             subtracted: array("subtracted", "subtracted", count(12), InputForm::Flat),
             gamma_h: array("gamma_h", "gamma_h", 1, InputForm::Number),
             bodies,
+            motions: motions.clone(),
         }
     }
 
@@ -62,16 +102,13 @@ impl Arguments {
 
     /// The state as inputs, with values `off` those that the scene begins with.
     pub(super) fn state(&self, scene: &Scene, off: f64) -> Vec<State<HostModal<Traced>, Traced>> {
-        let (mut index, mut scatter) = (0, Scatter(1));
-        let mut input = |near: f64| {
-            let input = Traced::input(self.state.symbol(index), near + off * scatter.next());
-            index += 1;
-            input
-        };
+        let mut entries = Entries::of(&self.state, self.motions.of_state());
+        let mut scatter = Scatter(1);
+        let mut input = |near: f64| entries.next(near + off * scatter.next());
         let vector = |near: &Vector3<f64>, input: &mut dyn FnMut(f64) -> Traced| near.map(input);
         let modal = |near: &HostModal, input: &mut dyn FnMut(f64) -> Traced| HostModal(near.0.map(input));
         let states = scene.initial.iter();
-        states
+        let states = states
             .map(|state| {
                 // the order of evaluation is that of the array
                 State {
@@ -86,19 +123,18 @@ impl Arguments {
                     modal_rates: modal(&state.modal_rates, &mut input),
                 }
             })
-            .collect()
+            .collect();
+        entries.grant();
+        states
     }
 
     /// What a linearly implicit stage subtracts, as inputs with values `off` zero.
     pub(super) fn subtracted(&self, off: f64) -> HostIncrement<Traced> {
-        let (mut index, mut scatter) = (0, Scatter(2));
-        let mut input = || {
-            let input = Traced::input(self.subtracted.symbol(index), off * scatter.next());
-            index += 1;
-            input
-        };
+        let (moving, mut scatter) = (self.motions.of_change(), Scatter(2));
+        let mut entries = Entries::of(&self.subtracted, &moving);
+        let mut input = || entries.next(off * scatter.next());
         let bodies = self.bodies.iter();
-        HostIncrement(
+        let change = HostIncrement(
             bodies
                 .map(|(_, modes)| {
                     let mut zeros =
@@ -113,7 +149,9 @@ impl Arguments {
                     zeros
                 })
                 .collect(),
-        )
+        );
+        entries.grant();
+        change
     }
 
     /// γ h as an input.

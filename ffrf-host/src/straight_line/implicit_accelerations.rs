@@ -4,9 +4,9 @@ use ffrf_codegen::ArrayFunction;
 use ffrf_runtime::System;
 use ffrf_trace::Traced;
 
-use super::StraightLineError;
 use super::accelerations::{check, trace};
 use super::arguments::Arguments;
+use super::{Motions, StraightLineError};
 use crate::scene::{Scene, StepChoice};
 
 /// γ h of the stage that is run where the scene names no step. Units: s.
@@ -26,9 +26,13 @@ const USUAL_GAMMA_H: f64 = 1e-4;
 /// chart of a step but about the state itself, so the increment that has led there is no argument.
 ///
 /// Errors: see [`StraightLineError`].
-pub fn implicit_accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction, StraightLineError> {
+pub fn implicit_accelerations(
+    scene: &Scene,
+    motions: &Motions,
+    name: &str,
+) -> Result<ArrayFunction, StraightLineError> {
     check(scene)?;
-    let arguments = Arguments::of(scene);
+    let arguments = Arguments::of(scene, motions);
     let gamma_h = match scene.settings.step {
         StepChoice::Fixed(step) => step,
         StepChoice::Tolerance(_) => USUAL_GAMMA_H,
@@ -55,7 +59,12 @@ pub fn implicit_accelerations(scene: &Scene, name: &str) -> Result<ArrayFunction
     let table = arguments.table(&[("state", 13, 2), ("subtracted", 12, 2), ("accelerations", 6, 1)]);
     Ok(ArrayFunction {
         name: name.to_owned(),
-        documentation: documentation.into_iter().map(str::to_owned).chain(table).collect(),
+        documentation: documentation
+            .into_iter()
+            .map(str::to_owned)
+            .chain(motions.documentation())
+            .chain(table)
+            .collect(),
         inputs: vec![arguments.state, arguments.subtracted, arguments.gamma_h, arguments.drives],
         output: "accelerations",
         graph: tape.graph,

@@ -5,9 +5,9 @@ use ffrf_runtime::State;
 use ffrf_runtime::mechanism::{Assembly, EvaluatedJoint, Treatment};
 use ffrf_trace::Traced;
 
-use super::StraightLineError;
 use super::accelerations::{check, trace};
 use super::arguments::Arguments;
+use super::{Motions, StraightLineError};
 use crate::HostModal;
 use crate::scene::Scene;
 
@@ -21,13 +21,17 @@ use crate::scene::Scene;
 /// and for each of the R rows of all joints what it left over before: of places, then of velocities; then both after them.
 ///
 /// `None` where nothing is projected. Errors: see [`StraightLineError`].
-pub fn projection(scene: &Scene, name: &str) -> Result<Option<ArrayFunction>, StraightLineError> {
+pub fn projection(
+    scene: &Scene,
+    motions: &Motions,
+    name: &str,
+) -> Result<Option<ArrayFunction>, StraightLineError> {
     let is_projected = matches!(scene.mechanism.treatment(), Treatment::Projection { .. });
     if !is_projected || scene.mechanism.connections().is_empty() {
         return Ok(None);
     }
     check(scene)?;
-    let arguments = Arguments::of(scene);
+    let arguments = Arguments::of(scene, motions);
     let (results, tape) = trace(scene, &arguments, |system, state, _| {
         let mut residuals = Vec::new();
         let mut look = |joints: &[Option<EvaluatedJoint<Traced>>]| {
@@ -51,7 +55,10 @@ pub fn projection(scene: &Scene, name: &str) -> Result<Option<ArrayFunction>, St
     let documentation = documentation.into_iter().map(str::to_owned);
     Ok(Some(ArrayFunction {
         name: name.to_owned(),
-        documentation: documentation.chain(arguments.table(&[("state", 13, 2)])).collect(),
+        documentation: documentation
+            .chain(motions.documentation())
+            .chain(arguments.table(&[("state", 13, 2)]))
+            .collect(),
         inputs: vec![arguments.state, arguments.drives],
         output: "projected",
         graph: tape.graph,

@@ -8,7 +8,9 @@ use ffrf_codegen::expression::Symbol;
 use ffrf_host::HostModal;
 use ffrf_host::mechanism::HostIncrement;
 use ffrf_host::scene::Scene;
-use ffrf_host::straight_line::{StraightLineError, accelerations, implicit_accelerations, projection};
+use ffrf_host::straight_line::{
+    Motions, StraightLineError, accelerations, implicit_accelerations, projection,
+};
 use ffrf_runtime::integrators::Correction;
 use ffrf_runtime::mechanism::{Assembly, Constrained, EvaluatedJoint};
 use ffrf_runtime::rotation::cayley_omega;
@@ -27,6 +29,12 @@ fn scene_in(folder: &str, name: &str) -> Scene {
 
 /// States near the initial one, farther than those that the equations were traced in, and their numbers in one array.
 fn near(scene: &Scene, random: &mut Random) -> (Vec<State<HostModal>>, Vec<f64>) {
+    near_in(scene, &Motions::all(scene), random)
+}
+
+/// The same where what does not move is zero.
+fn near_in(scene: &Scene, motions: &Motions, random: &mut Random) -> (Vec<State<HostModal>>, Vec<f64>) {
+    let still: Vec<usize> = motions.still().collect();
     let mut numbers = Vec::new();
     let states = scene
         .initial
@@ -34,6 +42,7 @@ fn near(scene: &Scene, random: &mut Random) -> (Vec<State<HostModal>>, Vec<f64>)
         .map(|state| {
             let mut off = |near: f64| {
                 let number = near + 3e-2 * random.number();
+                let number = if still.contains(&numbers.len()) { 0.0 } else { number };
                 numbers.push(number);
                 number
             };
@@ -85,11 +94,11 @@ fn interpreted_stage(
 }
 
 /// Compares so many states in which the conditions hold; gives how many there were.
-fn compare(name: &str, scene: &Scene, function: &ArrayFunction) -> usize {
+fn compare(name: &str, scene: &Scene, motions: &Motions, function: &ArrayFunction) -> usize {
     let mut random = Random::new(7);
     let mut seen = 0;
     for case in 0..12 {
-        let (states, numbers) = near(scene, &mut random);
+        let (states, numbers) = near_in(scene, motions, &mut random);
         let values = drive_values(scene, &mut random);
         let array: Vec<f64> = values.iter().flatten().copied().collect();
         let mechanism = scene.mechanism.cast::<f64>().with_drive_values(values);
@@ -124,10 +133,46 @@ fn straight_line_code_has_the_bits_of_the_equations() {
         "tumbling_rod",
     ] {
         let scene = scene(name);
-        let function =
-            accelerations(&scene, "accelerations").unwrap_or_else(|error| panic!("{name}: {error}"));
-        let seen = compare(name, &scene, &function);
+        let motions = Motions::all(&scene);
+        let function = accelerations(&scene, &motions, "accelerations")
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        let seen = compare(name, &scene, &motions, &function);
         assert!(seen > 3, "{name}: the conditions held in {seen} of 12 states");
+    }
+}
+
+/// What leaves the plane of a planar mechanism, and modes that nothing excites, need no code: where it is zero, the rest has the
+/// bits of the equations.
+#[test]
+fn what_never_moves_is_left_out() {
+    for (name, still, share) in [
+        // of two links in space: place across, two of the orientation, and the velocities of these
+        ("double_pendulum", 12, 0.5),
+        ("four_bar", 18, 0.7),
+        // its rod is no symmetric body: it bends and turns out of the plane
+        ("slider_crank", 14, 0.9),
+        // a rotor bends in every direction, and so does a body that tumbles
+        ("tumbling_rod", 0, 1.0),
+    ] {
+        let scene = scene(name);
+        let [all, motions] = [Motions::all(&scene), Motions::of(&scene).unwrap()];
+        assert!(motions.still().count() >= still, "{name}: {:?}", motions.still().collect::<Vec<_>>());
+        let [general, own] =
+            [&all, &motions].map(|motions| accelerations(&scene, motions, "accelerations").unwrap());
+        let [operations, least] = [&own, &general].map(|function| function.graph.len() as f64);
+        assert!(operations <= share * least, "{name}: {operations} nodes of {least}");
+        assert!(compare(name, &scene, &motions, &own) > 3, "{name}");
+        // round-off out of the plane is no motion, more is one
+        let (_, mut numbers) = near_in(&scene, &motions, &mut Random::new(7));
+        let drives = vec![0.0; own.inputs[1].count];
+        let held = interpreted(&own, &numbers, &drives).1;
+        for (off, holds) in [(1e-14, held), (1e-12, false)] {
+            for place in motions.still() {
+                numbers[place] = off;
+                assert_eq!(interpreted(&own, &numbers, &drives).1, holds, "{name}: {place}, {off:e}");
+                numbers[place] = 0.0;
+            }
+        }
     }
 }
 
@@ -249,8 +294,8 @@ fn straight_line_stages_have_the_bits_of_the_equations() {
     ] {
         let scene = scene(name);
         assert_eq!(scene.mechanism.soft(0).is_some(), soft, "{name}");
-        let function =
-            implicit_accelerations(&scene, "accelerations").unwrap_or_else(|error| panic!("{name}: {error}"));
+        let function = implicit_accelerations(&scene, &Motions::all(&scene), "accelerations")
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
         let seen = compare_stages(name, &scene, &function);
         assert!(seen >= least, "{name}: the conditions held in {seen} of 12 states");
     }
@@ -259,7 +304,7 @@ fn straight_line_stages_have_the_bits_of_the_equations() {
 #[test]
 fn a_flexible_body_on_soft_supports_has_the_bits_of_the_equations() {
     let scene = scene_in("benches/mechanisms/scenes", "supported_rod");
-    let function = implicit_accelerations(&scene, "accelerations").unwrap();
+    let function = implicit_accelerations(&scene, &Motions::all(&scene), "accelerations").unwrap();
     let seen = compare_stages("supported_rod", &scene, &function);
     assert!(seen > 3, "the conditions held in {seen} of 12 states");
 }
@@ -268,7 +313,7 @@ fn a_flexible_body_on_soft_supports_has_the_bits_of_the_equations() {
 fn straight_line_projections_have_the_bits_of_the_equations() {
     for name in ["double_pendulum", "flexible_pendulum", "slider_crank", "four_bar", "bricard"] {
         let scene = scene(name);
-        let function = projection(&scene, "projection").unwrap().unwrap();
+        let function = projection(&scene, &Motions::all(&scene), "projection").unwrap().unwrap();
         let mut random = Random::new(13);
         let mut seen = 0;
         for case in 0..12 {
@@ -307,13 +352,14 @@ fn straight_line_projections_have_the_bits_of_the_equations() {
         }
         assert!(seen > 3, "{name}: the conditions held in {seen} of 12 states");
     }
-    assert!(projection(&scene("tumbling_rod"), "projection").unwrap().is_none(), "no joints");
+    let free = scene("tumbling_rod");
+    assert!(projection(&free, &Motions::all(&free), "projection").unwrap().is_none(), "no joints");
 }
 
 #[test]
 fn other_branches_are_noticed() {
     let scene = scene("slider_crank");
-    let function = accelerations(&scene, "accelerations").unwrap();
+    let function = accelerations(&scene, &Motions::all(&scene), "accelerations").unwrap();
     let mut random = Random::new(7);
     let (_, mut numbers) = near(&scene, &mut random);
     let drives = vec![0.0; function.inputs[1].count];
@@ -325,7 +371,13 @@ fn other_branches_are_noticed() {
 
 #[test]
 fn what_code_cannot_know_is_refused() {
-    let error = |name: &str| accelerations(&scene(name), "accelerations").unwrap_err();
+    let error = |name: &str| {
+        let scene = scene(name);
+        let error = accelerations(&scene, &Motions::all(&scene), "accelerations").unwrap_err();
+        // and there is nothing to follow
+        assert_eq!(Motions::of(&scene).unwrap_err().to_string(), error.to_string());
+        error
+    };
     let motor = error("flexible_rotor");
     assert!(matches!(motor, StraightLineError::Unknown { .. }), "{motor}");
     assert!(motor.to_string().starts_with("forces.motor"), "{motor}");

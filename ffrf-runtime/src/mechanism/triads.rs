@@ -1,15 +1,25 @@
 //! The triads of joints: how an axis and a pair of orientations become them.
 
-use nalgebra::{RealField, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, RealField, UnitQuaternion, Vector3};
 
 use super::{Connection, Ports};
 use crate::joints::JointKind;
 
 /// The rotation that takes z to an axis; none for z itself and for a vector without direction.
 pub fn along_axis<T: RealField + Copy>(axis: &Vector3<T>) -> UnitQuaternion<T> {
+    let length = axis.norm();
+    if length <= T::zero() {
+        return UnitQuaternion::identity();
+    }
+    let across = axis.x * axis.x + axis.y * axis.y;
+    // without cancellation near the opposite direction
+    let along = if axis.z < T::zero() { across / (length - axis.z) } else { length + axis.z };
+    // the product of what is halfway with z: exact along x and y, where an angle and its functions are not
+    let halfway = Quaternion::new(along, -axis.y, axis.x, T::zero());
     // opposite to z no rotation is nearest: half a turn about x is one
-    UnitQuaternion::rotation_between(&Vector3::z(), axis)
-        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), T::pi()))
+    UnitQuaternion::try_new(halfway, T::zero()).unwrap_or_else(|| {
+        UnitQuaternion::new_unchecked(Quaternion::new(T::zero(), T::one(), T::zero(), T::zero()))
+    })
 }
 
 /// The second triad of a joint, in the orientation of its second end, from how both ends are turned now.

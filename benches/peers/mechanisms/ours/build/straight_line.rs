@@ -6,7 +6,7 @@ use std::path::Path;
 use ffrf_codegen::{ArrayFunction, GenerateOptions, generate_array_function};
 use ffrf_host::scene::Scene;
 use ffrf_host::scene::file::SceneFile;
-use ffrf_host::straight_line::{accelerations, implicit_accelerations, projection};
+use ffrf_host::straight_line::{Motions, accelerations, implicit_accelerations, projection};
 
 use crate::LAYOUT_TOLERANCE;
 
@@ -21,7 +21,8 @@ pub fn pendulums() -> String {
     let code = LINKS.map(|links| {
         let file = SceneFile::parse(&pendulum(links)).expect("the text of a scene");
         let scene = Scene::compose(&file, Path::new("")).expect("a pendulum");
-        function(&accelerations(&scene, &format!("pendulum_{links}")).expect("accelerations exist"))
+        let motions = Motions::of(&scene).expect("it moves");
+        function(&accelerations(&scene, &motions, &format!("pendulum_{links}")).expect("accelerations exist"))
     });
     code.join("\n")
 }
@@ -33,11 +34,13 @@ pub fn scene(case: &str, folder: &Path) -> String {
     println!("cargo::rerun-if-changed={path}");
     let file = SceneFile::read(Path::new(&path)).expect("a scene");
     let scene = Scene::compose(&file, folder).expect("a mechanism").with_layout_tolerance(LAYOUT_TOLERANCE);
+    let motions = Motions::of(&scene).expect("it moves");
     let mut functions = vec![
-        accelerations(&scene, "accelerations").expect("accelerations exist"),
-        implicit_accelerations(&scene, "implicit_accelerations").expect("they exist in stages, too"),
+        accelerations(&scene, &motions, "accelerations").expect("accelerations exist"),
+        implicit_accelerations(&scene, &motions, "implicit_accelerations")
+            .expect("they exist in stages, too"),
     ];
-    functions.extend(projection(&scene, "projection").expect("a projection exists"));
+    functions.extend(projection(&scene, &motions, "projection").expect("a projection exists"));
     functions.iter().map(function).collect::<Vec<String>>().join("\n")
 }
 
