@@ -1096,6 +1096,7 @@ pub fn slider_crank_m8_accelerations(
 }
 
 /// One correction of places and one of velocities onto the joints, in straight-line code.
+/// After explicit steps, by the mass matrix.
 ///
 /// `state`: for each body position 3 (inertial), orientation 4 (i, j, k, w), modal coordinates, velocity 3 (inertial),
 /// angular velocity 3 (body), modal rates. `drives`: for each joint zeros, and behind it value, rate, acceleration of its drive.

@@ -73,7 +73,7 @@ fn a_slider_crank_is_projected_by_straight_line_code() {
     let mut state = mechanism.state;
     state.crank.position.x += 1e-6;
     state.rod.velocity.y += 1e-3;
-    let projected = mechanism.model.straight_projection(mechanism.time, &state).unwrap();
+    let projected = mechanism.model.straight_projection(mechanism.time, &state, None).unwrap();
     let (expected, drift) =
         Constrained(&mechanism.model).project(mechanism.time, state, None, 1, 1e-6).unwrap();
     let [position, velocity] = projected.before;

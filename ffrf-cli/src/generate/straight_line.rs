@@ -6,11 +6,16 @@ use anyhow::{Context, Result, bail};
 use ffrf_codegen::{ArrayFunction, GenerateOptions, ScalarType, generate_array_function, snake_case};
 use ffrf_host::scene::file::SceneFile;
 use ffrf_host::scene::{MacroCalls, Scene, camel, macro_calls};
-use ffrf_host::straight_line::{Motions, accelerations, implicit_accelerations, projection};
+use ffrf_host::straight_line::{
+    Motions, StraightLineError, accelerations, implicit_accelerations, implicit_projection, projection,
+};
 
 use super::refuse_of_scenes;
 use crate::arguments::{Generate, ImplicitStages};
 use crate::output;
+
+/// What writes the projection of a scene down, if it has one.
+type Projection = fn(&Scene, &Motions, &str) -> Result<Option<ArrayFunction>, StraightLineError>;
 
 /// Writes bodies, mechanism and accelerations of a scene, and those of linearly implicit stages if they are asked for.
 pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -> Result<()> {
@@ -40,14 +45,17 @@ pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -
     if let Some(name) = &implicit_name {
         functions.push(implicit_accelerations(&scene, &motions, name).with_context(shown)?);
     }
-    let mut projection_name = None;
-    // implicit steps are projected by the matrix of their stages
-    if !has_implicit_stages
-        && let Some(function) = projection(&scene, &motions, &named("projection")).with_context(shown)?
-    {
-        projection_name = Some(function.name.clone());
-        functions.push(function);
-    }
+    let mut projected = |is_asked_for: bool, function: Projection, what: &str| -> Result<Option<String>> {
+        if !is_asked_for {
+            return Ok(None);
+        }
+        let function = function(&scene, &motions, &named(what)).with_context(shown)?;
+        let name = function.as_ref().map(|function| function.name.clone());
+        functions.extend(function);
+        Ok(name)
+    };
+    let projection_name = projected(!has_implicit_stages, projection, "projection")?;
+    let implicit_projection_name = projected(is_implicit, implicit_projection, "implicit_projection")?;
     let code =
         |function: &ArrayFunction| Ok(generate_array_function(function, &options).with_context(shown)?.text);
     let functions = functions.iter().map(code).collect::<Result<Vec<String>>>()?.join("\n");
@@ -59,6 +67,7 @@ pub(super) fn run(arguments: &Generate, path: &Path, options: GenerateOptions) -
         accelerations: Some(&name),
         implicit_accelerations: implicit_name.as_deref(),
         projection: projection_name.as_deref(),
+        implicit_projection: implicit_projection_name.as_deref(),
     };
     let source = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let text = format!(

@@ -39,6 +39,8 @@ pub struct MacroCalls<'a> {
     pub implicit_accelerations: Option<&'a str>,
     /// The function that projects it onto its joints.
     pub projection: Option<&'a str>,
+    /// The same after linearly implicit steps.
+    pub implicit_projection: Option<&'a str>,
 }
 
 impl Scene {
@@ -100,6 +102,7 @@ pub fn macro_calls(file: &SceneFile, folder: &Path, calls: &MacroCalls<'_>) -> S
         ("accelerations", calls.accelerations),
         ("implicit_accelerations", calls.implicit_accelerations),
         ("projection", calls.projection),
+        ("implicit_projection", calls.implicit_projection),
     ];
     for (key, function) in printed {
         if let Some(function) = function {

@@ -12,6 +12,14 @@ use crate::scene::{Scene, StepChoice};
 /// γ h of the stage that is run where the scene names no step. Units: s.
 const USUAL_GAMMA_H: f64 = 1e-4;
 
+/// γ h of the stage that is run. Units: s.
+pub(super) fn near_gamma_h(scene: &Scene) -> f64 {
+    match scene.settings.step {
+        StepChoice::Fixed(step) => step,
+        StepChoice::Tolerance(_) => USUAL_GAMMA_H,
+    }
+}
+
 /// The accelerations that a linearly implicit stage finds as a function of state, of what it subtracts, of γ h and of drives.
 ///
 /// ```text
@@ -33,10 +41,7 @@ pub fn implicit_accelerations(
 ) -> Result<ArrayFunction, StraightLineError> {
     check(scene)?;
     let arguments = Arguments::of(scene, motions);
-    let gamma_h = match scene.settings.step {
-        StepChoice::Fixed(step) => step,
-        StepChoice::Tolerance(_) => USUAL_GAMMA_H,
-    };
+    let gamma_h = near_gamma_h(scene);
     let (results, tape) = trace(scene, &arguments, |system, state, off| {
         let (subtracted, gamma_h) = (arguments.subtracted(off), arguments.gamma_h(gamma_h));
         let none = system.no_change(state);

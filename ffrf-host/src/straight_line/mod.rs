@@ -19,4 +19,4 @@ pub use accelerations::accelerations;
 pub use error::StraightLineError;
 pub use implicit_accelerations::implicit_accelerations;
 pub use motions::Motions;
-pub use projection::projection;
+pub use projection::{implicit_projection, projection};

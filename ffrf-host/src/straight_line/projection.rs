@@ -7,6 +7,7 @@ use ffrf_trace::Traced;
 
 use super::accelerations::{check, trace};
 use super::arguments::Arguments;
+use super::implicit_accelerations::near_gamma_h;
 use super::{Motions, StraightLineError};
 use crate::HostModal;
 use crate::scene::Scene;
@@ -26,12 +27,40 @@ pub fn projection(
     motions: &Motions,
     name: &str,
 ) -> Result<Option<ArrayFunction>, StraightLineError> {
+    corrections(scene, motions, name, false)
+}
+
+/// The same after linearly implicit steps, measured by the matrix of their stages.
+///
+/// ```text
+/// fn NAME(state: &[f64; S], gamma_h: f64, drives: &[[f64; 3]; D], projected: &mut [f64; S + 4 R]) -> bool
+/// ```
+///
+/// `None` where nothing is projected, and where soft rows resist. Errors: see [`StraightLineError`].
+pub fn implicit_projection(
+    scene: &Scene,
+    motions: &Motions,
+    name: &str,
+) -> Result<Option<ArrayFunction>, StraightLineError> {
+    if scene.mechanism.soft(0).is_some() {
+        return Ok(None);
+    }
+    corrections(scene, motions, name, true)
+}
+
+fn corrections(
+    scene: &Scene,
+    motions: &Motions,
+    name: &str,
+    is_implicit: bool,
+) -> Result<Option<ArrayFunction>, StraightLineError> {
     let is_projected = matches!(scene.mechanism.treatment(), Treatment::Projection { .. });
     if !is_projected || scene.mechanism.connections().is_empty() {
         return Ok(None);
     }
     check(scene)?;
     let arguments = Arguments::of(scene, motions);
+    let gamma_h = near_gamma_h(scene);
     let (results, tape) = trace(scene, &arguments, |system, state, _| {
         let mut residuals = Vec::new();
         let mut look = |joints: &[Option<EvaluatedJoint<Traced>>]| {
@@ -40,11 +69,17 @@ pub fn projection(
                 residuals.extend(rows.map(|residuals| residuals[level]));
             }
         };
-        let projected = system.correct_once(Traced::number(0.0), state.clone(), &mut look)?;
+        let gamma_h = is_implicit.then(|| arguments.gamma_h(gamma_h));
+        let projected = system.correct_once(Traced::number(0.0), state.clone(), gamma_h, &mut look)?;
         Ok(projected.iter().flat_map(numbers).chain(residuals).collect())
     })?;
     let documentation = [
         "One correction of places and one of velocities onto the joints, in straight-line code.",
+        if is_implicit {
+            "After linearly implicit steps, by the matrix of their stages, with `gamma_h` (s)."
+        } else {
+            "After explicit steps, by the mass matrix."
+        },
         "",
         "`state`: for each body position 3 (inertial), orientation 4 (i, j, k, w), modal coordinates, velocity 3 (inertial),",
         "angular velocity 3 (body), modal rates. `drives`: for each joint zeros, and behind it value, rate, acceleration of its drive.",
@@ -53,13 +88,17 @@ pub fn projection(
         "",
     ];
     let documentation = documentation.into_iter().map(str::to_owned);
+    let mut inputs = vec![arguments.state, arguments.drives];
+    if is_implicit {
+        inputs.insert(1, arguments.gamma_h);
+    }
     Ok(Some(ArrayFunction {
         name: name.to_owned(),
         documentation: documentation
             .chain(motions.documentation())
             .chain(arguments.table(&[("state", 13, 2)]))
             .collect(),
-        inputs: vec![arguments.state, arguments.drives],
+        inputs,
         output: "projected",
         graph: tape.graph,
         calls: tape.calls,

@@ -251,6 +251,7 @@ impl Study {
             accelerations: None,
             implicit_accelerations: None,
             projection: None,
+            implicit_projection: None,
         };
         let text = macro_calls(&self.file, &self.folder, &calls);
         let (name, step) = (configuration.integrator.name(), configuration.step);

@@ -1,4 +1,4 @@
-//! The keys `accelerations`, `implicit_accelerations` and `projection`: functions that were printed for the mechanism, and what they
+//! The keys `accelerations`, `projection` and those of implicit steps: functions that were printed for the mechanism, and what they
 //! cannot know of.
 
 use syn::{Ident, Path};

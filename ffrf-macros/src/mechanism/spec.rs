@@ -36,6 +36,8 @@ pub(super) struct Spec {
     pub(super) implicit_accelerations: Option<Path>,
     /// One that projects it onto its joints.
     pub(super) projection: Option<Path>,
+    /// The same after linearly implicit steps.
+    pub(super) implicit_projection: Option<Path>,
     /// Rows of all joints and drives.
     pub(super) rows: usize,
     /// Number of joints, with drives.
@@ -75,7 +77,7 @@ impl Plans {
     }
 }
 
-const KEYS: [&str; 12] = [
+const KEYS: [&str; 13] = [
     "bodies",
     "gravity",
     "joints",
@@ -87,6 +89,7 @@ const KEYS: [&str; 12] = [
     "accelerations",
     "implicit_accelerations",
     "projection",
+    "implicit_projection",
     "scalar",
 ];
 
@@ -167,8 +170,8 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         .into_iter()
         .filter_map(|entry| sensor(entry, &mut bodies, &joints, &drives, &scalar, &mut mistakes))
         .collect();
-    let printed = ["accelerations", "implicit_accelerations", "projection"].map(find);
-    let [explicit, implicit, projection] =
+    let printed = ["accelerations", "implicit_accelerations", "projection", "implicit_projection"].map(find);
+    let [explicit, implicit, projection, implicit_projection] =
         printed.map(|field| field.and_then(|field| accelerations(field, scalar, &mut mistakes)));
     // once is enough: what one of them cannot know of the other cannot either
     if let Some(field) = printed.into_iter().flatten().next() {
@@ -199,6 +202,7 @@ pub(super) fn spec(input: &Input) -> syn::Result<Spec> {
         accelerations: explicit,
         implicit_accelerations: implicit,
         projection,
+        implicit_projection,
         rows: topology.joints.iter().map(|joint| joint.rows).sum(),
         connections,
         hubs,

@@ -112,10 +112,16 @@ pub trait Assembly<T: RealField + Copy> {
     /// What [`Constrained::correct_once`](super::Constrained::correct_once) makes of a state, from code that holds the whole
     /// mechanism at once; `None` as in [`straight_rates`](Self::straight_rates).
     ///
-    /// Explicit steps ask for it where joints are kept by [`Treatment::Projection`].
+    /// Steps ask for it where joints are kept by [`Treatment::Projection`]. `gamma_h`: of linearly implicit stages (s), none of
+    /// explicit ones.
     #[inline(always)]
-    fn straight_projection(&self, time: T, state: &Self::State) -> Option<Projected<Self::State, T>> {
-        let _ = (time, state);
+    fn straight_projection(
+        &self,
+        time: T,
+        state: &Self::State,
+        gamma_h: Option<T>,
+    ) -> Option<Projected<Self::State, T>> {
+        let _ = (time, state, gamma_h);
         None
     }
     /// Applies the resulting motion of `ports` to their state: displacements, or changes of velocity.

@@ -239,9 +239,7 @@ impl<A: Assembly<T>, T: RealField + Copy> System<T> for Constrained<'_, A> {
     ) -> Result<(Self::State, Drift<T>), StepError> {
         match self.0.treatment() {
             Treatment::Projection { iterations, tolerance } => {
-                if gamma_h.is_none()
-                    && iterations > 0
-                    && let Some(projected) = self.0.straight_projection(time, &state)
+                if let Some(projected) = self.projected_straight(time, &state, gamma_h, iterations)
                     && projected.meets(tolerance)
                 {
                     let [position, velocity] = projected.before;

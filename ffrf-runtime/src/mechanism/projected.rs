@@ -34,10 +34,15 @@ pub struct Projected<S, T = f64> {
 }
 
 impl<S, T: RealField + Copy> Projected<S, T> {
-    /// Whether nothing is left that another correction would take away. `tolerance`: of places. Units: m or rad.
-    pub(super) fn meets(&self, tolerance: T) -> bool {
+    /// Whether nothing is left that another correction would take away.
+    pub(super) fn is_closed(&self) -> bool {
         // not a number is not met
         let small = |k: usize| self.after[k] <= enough(self.before[k], round_off(self.sizes[k]));
-        small(0) && small(1) && self.after[0] <= tolerance
+        small(0) && small(1)
+    }
+
+    /// Whether it is closed, within the tolerance of places. Units: m or rad.
+    pub(super) fn meets(&self, tolerance: T) -> bool {
+        self.is_closed() && self.after[0] <= tolerance
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::RealField;
 
 use super::constrained::{constraints, equations};
-use super::projected::enough;
+use super::projected::{Projected, enough};
 use super::{Assembly, Constrained, Constraints, Equations, EvaluatedJoint, ImplicitTerms, Level, Storage};
 use crate::integrators::{Drift, StepError};
 
@@ -28,13 +28,15 @@ fn corrected<'a, 's, A: Assembly<T>, T: RealField + Copy>(
 
 impl<A> Constrained<'_, A> {
     /// One correction of places and one of velocities by one factorisation, whatever is left then: what [`project`](Self::project)
-    /// does with one iteration. `look` is shown the joints before and behind.
+    /// does with one iteration. `gamma_h`: of the stages of a linearly implicit step (s), none of explicit ones; soft rows resist
+    /// nothing here. `look` is shown the joints before and behind.
     ///
     /// Errors: there are no factors.
     pub fn correct_once<T>(
         &self,
         time: T,
         state: A::State,
+        gamma_h: Option<T>,
         mut look: impl FnMut(&[Option<EvaluatedJoint<T>>]),
     ) -> Result<A::State, StepError>
     where
@@ -42,8 +44,9 @@ impl<A> Constrained<'_, A> {
         T: RealField + Copy,
     {
         let assembly = self.0;
+        let implicit = gamma_h.map(|gamma_h| ImplicitTerms { gamma_h, subtracted: None, chart: None });
         let mut rooms = assembly.rooms();
-        let mut ports = assembly.ports(&mut rooms, state, None);
+        let mut ports = assembly.ports(&mut rooms, state, implicit);
         let equations = equations(assembly, false);
         assembly.with_storage(equations, |storage| {
             let drive = |joint| assembly.drive(joint, time);
@@ -58,6 +61,35 @@ impl<A> Constrained<'_, A> {
             Ok(())
         })?;
         Ok(assembly.state(ports))
+    }
+
+    /// At most so many corrections by code that holds the whole mechanism at once, until there is nothing left that another one
+    /// would take away; `None` where there is no such code, or it does not hold.
+    pub(super) fn projected_straight<T>(
+        &self,
+        time: T,
+        state: &A::State,
+        gamma_h: Option<T>,
+        iterations: usize,
+    ) -> Option<Projected<A::State, T>>
+    where
+        A: Assembly<T>,
+        T: RealField + Copy,
+    {
+        if iterations == 0 {
+            return None;
+        }
+        let first = self.0.straight_projection(time, state, gamma_h)?;
+        let before = first.before;
+        let mut projected = first;
+        for _ in 1..iterations {
+            if projected.is_closed() {
+                break;
+            }
+            let next = self.0.straight_projection(time, &projected.state, gamma_h)?;
+            projected = Projected { before, ..next };
+        }
+        Some(projected)
     }
 
     /// Projects positions, then velocities, on the constraints; the drift is what was found before.

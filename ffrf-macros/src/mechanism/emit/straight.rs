@@ -13,7 +13,7 @@ use crate::mechanism::spec::Spec;
 pub(super) fn straight_rates(names: &Names, spec: &Spec) -> TokenStream {
     let explicit = spec.accelerations.as_ref().map(|path| explicit(names, spec, path));
     let implicit = spec.implicit_accelerations.as_ref().map(|path| implicit(names, spec, path));
-    let projection = spec.projection.as_ref().map(|path| projection(names, spec, path));
+    let projection = projection(names, spec);
     quote! { #explicit #implicit #projection }
 }
 
@@ -114,7 +114,10 @@ fn implicit(names: &Names, spec: &Spec, path: &Path) -> TokenStream {
     }
 }
 
-fn projection(names: &Names, spec: &Spec, path: &Path) -> TokenStream {
+fn projection(names: &Names, spec: &Spec) -> Option<TokenStream> {
+    if spec.projection.is_none() && spec.implicit_projection.is_none() {
+        return None;
+    }
     let (t, connections, rows) = (spec.scalar.name(), spec.connections, spec.rows);
     let (sizes, arguments) = (sizes(names), arguments(spec));
     let take = spec.bodies.iter().map(|body| {
@@ -126,20 +129,50 @@ fn projection(names: &Names, spec: &Spec, path: &Path) -> TokenStream {
             }
         }
     });
-    let function = quote_spanned! { path.span() =>
-        const FUNCTION: fn(&[#t; SIZE], &[[#t; 3]; #connections], &mut [#t; SIZE + 4 * #rows]) -> bool = #path;
+    let explicit = spec.projection.as_ref().map(|path| {
+        quote_spanned! { path.span() =>
+            const FUNCTION: fn(&[#t; SIZE], &[[#t; 3]; #connections], &mut [#t; SIZE + 4 * #rows]) -> bool = #path;
+        }
+    });
+    let implicit = spec.implicit_projection.as_ref().map(|path| {
+        quote_spanned! { path.span() =>
+            const IMPLICIT: fn(&[#t; SIZE], #t, &[[#t; 3]; #connections], &mut [#t; SIZE + 4 * #rows]) -> bool =
+                #path;
+        }
+    });
+    let none = quote! { return ::core::option::Option::None };
+    let explicitly = if explicit.is_some() {
+        quote! { FUNCTION(&numbers, &drives, &mut found) }
+    } else {
+        none.clone()
     };
-    quote! {
+    let implicitly = if implicit.is_some() {
+        quote! { IMPLICIT(&numbers, gamma_h, &drives, &mut found) }
+    } else {
+        none
+    };
+    let gamma_h = if implicit.is_some() {
+        quote! { gamma_h }
+    } else {
+        quote! { _ }
+    };
+    Some(quote! {
         fn straight_projection(
             &self,
             time: #t,
             state: &Self::State,
+            gamma_h: ::core::option::Option<#t>,
         ) -> ::core::option::Option<::ffrf::mechanism::Projected<Self::State, #t>> {
             #sizes
-            #function
+            #explicit
+            #implicit
             #arguments
             let mut found: [#t; SIZE + 4 * #rows] = [0.0; SIZE + 4 * #rows];
-            if !FUNCTION(&numbers, &drives, &mut found) {
+            let holds = match gamma_h {
+                ::core::option::Option::None => #explicitly,
+                ::core::option::Option::Some(#gamma_h) => #implicitly,
+            };
+            if !holds {
                 return ::core::option::Option::None;
             }
             let (places, residuals) = found.split_at(SIZE);
@@ -149,7 +182,7 @@ fn projection(names: &Names, spec: &Spec, path: &Path) -> TokenStream {
             let [before, after] = support::largest_residuals(residuals);
             ::core::option::Option::Some(::ffrf::mechanism::Projected { state: projected, before, after, sizes })
         }
-    }
+    })
 }
 
 fn body_count(spec: &Spec) -> usize {

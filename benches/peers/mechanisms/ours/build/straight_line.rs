@@ -6,7 +6,9 @@ use std::path::Path;
 use ffrf_codegen::{ArrayFunction, GenerateOptions, generate_array_function};
 use ffrf_host::scene::Scene;
 use ffrf_host::scene::file::SceneFile;
-use ffrf_host::straight_line::{Motions, accelerations, implicit_accelerations, projection};
+use ffrf_host::straight_line::{
+    Motions, accelerations, implicit_accelerations, implicit_projection, projection,
+};
 
 use crate::LAYOUT_TOLERANCE;
 
@@ -27,7 +29,7 @@ pub fn pendulums() -> String {
     code.join("\n")
 }
 
-/// The functions `accelerations`, `implicit_accelerations` and, if it has joints, `projection` of the mechanism of the scene of
+/// The functions `accelerations`, `implicit_accelerations` and, if it has joints, both projections of the mechanism of the scene of
 /// a case beside the sources, whose body is in `folder`.
 pub fn scene(case: &str, folder: &Path) -> String {
     let path = format!("scenes/{case}.toml");
@@ -41,6 +43,9 @@ pub fn scene(case: &str, folder: &Path) -> String {
             .expect("they exist in stages, too"),
     ];
     functions.extend(projection(&scene, &motions, "projection").expect("a projection exists"));
+    functions.extend(
+        implicit_projection(&scene, &motions, "implicit_projection").expect("it exists in stages, too"),
+    );
     functions.iter().map(function).collect::<Vec<String>>().join("\n")
 }
 

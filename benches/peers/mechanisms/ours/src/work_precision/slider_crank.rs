@@ -78,6 +78,7 @@ slider_crank!(Straight StraightState straight {
     accelerations: straight_line::accelerations,
     implicit_accelerations: straight_line::implicit_accelerations,
     projection: straight_line::projection,
+    implicit_projection: straight_line::implicit_projection,
 });
 
 /// The initial values of crank.f, moved to where the joints are met to round-off; observed: the rod's tip and middle.
