@@ -122,6 +122,7 @@ pub fn flexible_body(input: TokenStream) -> TokenStream {
 /// solving the equations of all joints. It does not follow a model whose bodies, gravity, forces or triads (`met_in`) are
 /// not those that it was printed for: `mechanism.straight_difference()` tells. That of `implicit_accelerations` is the same to
 /// linearly implicit steps and to the corrections of implicit methods; `mechanism.straight_implicit_difference(gamma_h)` tells.
+/// Those of `projection` and `implicit_projection` correct the state behind explicit and implicit steps.
 #[proc_macro]
 pub fn mechanism(input: TokenStream) -> TokenStream {
     mechanism::mechanism(input.into()).into()

@@ -5,7 +5,7 @@ use ffrf_runtime::{Increment, State};
 use ffrf_trace::Traced;
 use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
 
-use super::Motions;
+use super::motions::{Motions, STILL};
 use crate::scene::Scene;
 use crate::{HostModal, mechanism::HostIncrement};
 
@@ -19,10 +19,6 @@ impl Scatter {
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
-
-/// How large all numbers together may be that are taken as zero, as a norm (m, rad, modal units; 1/s of them): the round-off of
-/// motions of 1e3 of these units.
-pub(super) const STILL: f64 = 1e-13;
 
 /// Entries of an array one after the other, zeros where nothing moves.
 struct Entries<'a> {

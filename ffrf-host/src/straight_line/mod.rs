@@ -14,6 +14,7 @@ mod error;
 mod implicit_accelerations;
 mod motions;
 mod projection;
+mod reachable;
 
 pub use accelerations::accelerations;
 pub use error::StraightLineError;

@@ -1,13 +1,12 @@
 //! Which numbers of a state move: what a mechanism does in its plane needs no code for what is out of it.
 
 use ffrf_codegen::expression::{Expression, Graph};
-use ffrf_runtime::System;
-use ffrf_trace::Traced;
 
-use super::StraightLineError;
-use super::accelerations::{check, trace};
-use super::arguments::{Arguments, STILL};
 use crate::scene::Scene;
+
+/// How large all numbers together may be that are taken as zero, as a norm (m, rad, modal units; 1/s of them): the round-off of
+/// motions of 1e3 of these units.
+pub(super) const STILL: f64 = 1e-13;
 
 /// Which numbers of the states of a scene code is made for; the others are zero where it holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,30 +23,7 @@ impl Motions {
         Self::starting(scene, |_| true)
     }
 
-    /// Those that the equations lead to from the initial state of the scene.
-    ///
-    /// What is zero there and has an acceleration of zero, whatever the other numbers are, stays so: places out of the plane of
-    /// a planar mechanism, and modes that nothing excites. That it is exactly zero is what the equations themselves would find.
-    ///
-    /// Errors: see [`StraightLineError`].
-    pub fn of(scene: &Scene) -> Result<Self, StraightLineError> {
-        check(scene)?;
-        let mut motions = Self::starting(scene, |number| number != 0.0);
-        loop {
-            let arguments = Arguments::of(scene, &motions);
-            let (accelerations, tape) = trace(scene, &arguments, |system, state, _| {
-                let rates = system.rates(Traced::number(0.0), state, &system.no_change(state))?;
-                Ok(Arguments::results(&rates))
-            })?;
-            let before = motions.clone();
-            motions.follow(&accelerations, &tape.graph);
-            if motions == before {
-                return Ok(motions);
-            }
-        }
-    }
-
-    fn starting(scene: &Scene, is_moving: impl Fn(f64) -> bool) -> Self {
+    pub(super) fn starting(scene: &Scene, is_moving: impl Fn(f64) -> bool) -> Self {
         let mut moving = Vec::new();
         for state in &scene.initial {
             moving.extend(state.position.iter().map(|number| is_moving(*number)));
@@ -111,7 +87,7 @@ impl Motions {
     }
 
     /// Velocities that accelerations lead to, and places that velocities lead to.
-    fn follow(&mut self, accelerations: &[Expression], graph: &Graph) {
+    pub(super) fn follow(&mut self, accelerations: &[Expression], graph: &Graph) {
         let is_zero = |expression: &Expression| graph.constant_value(*expression) == Some(0.0);
         let mut accelerations = accelerations.iter();
         let mut rest = self.moving.as_mut_slice();
