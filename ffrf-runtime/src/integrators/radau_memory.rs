@@ -46,9 +46,9 @@ impl<const S: usize, T: RealField + Copy> RadauIIA<S, T> {
     ///
     /// The same equations and tolerances as those of [`step`](Self::step): only the number of sweeps differs, and what they leave
     /// within tolerance. Where the sweeps do not come to an end, the step is done again by [`step`](Self::step), and the memory is
-    /// empty: at most twice [`iterations`](Self::iterations) times `S` evaluations and factorisations, all of which the report counts. A step of another size
-    /// than the one before keeps the accelerations alone, one more than half as long again nothing. A memory of another motion costs
-    /// sweeps. No allocation, bounded work.
+    /// empty: at most twice [`iterations`](Self::iterations) times `S` evaluations and factorisations. The report counts the sweeps
+    /// of both. A step of another size than the one before keeps the accelerations alone, one more than half as long again nothing.
+    /// A memory of another motion costs sweeps. No allocation, bounded work.
     ///
     /// Units: `time`, `step` s. Errors: those of [`step`](Self::step); `memory` is empty then.
     pub fn step_from<S2: ImplicitSystem<T>>(
