@@ -56,7 +56,7 @@ pub use forces::{Frame, Gravity, MarkerLoad};
 pub use integrators::{
     AlphaMemory, ConservingSystem, ControlledStep, Correction, DenseOutput, Departure, Drift, EnergyMomentum,
     Exponential, ExponentialSystem, Forcing, GeneralisedAlpha, ImplicitSystem, LocalError, RadauCoefficients,
-    RadauIIA, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace, Watched,
+    RadauIIA, RadauMemory, StepError, StepReport, StiffSystem, System, Tolerances, VectorSpace, Watched,
     step_dormand_prince, step_exponential, step_linearly_implicit, step_linearly_implicit_euler, step_rk4,
     step_symplectic_euler, try_dormand_prince, try_dormand_prince_dense,
 };

@@ -141,6 +141,15 @@ impl ::ffrf::VectorSpace<f64> for PendulumIncrement {
             own.scale(factor);
         }
     }
+    fn dot(&self, other: &Self) -> f64 {
+        let mut sum = ::ffrf::generated_support::constant::<f64>(0.0);
+        for (own, other) in
+            ::core::slice::from_ref(&self.beam).iter().zip(::core::slice::from_ref(&other.beam))
+        {
+            sum += own.dot(other);
+        }
+        sum
+    }
 }
 #[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl Pendulum {

@@ -403,6 +403,27 @@ impl<T: ::ffrf::generated_support::Number> ::ffrf::VectorSpace<T> for SliderCran
             own.scale(factor);
         }
     }
+    fn dot(&self, other: &Self) -> T {
+        let mut sum = ::ffrf::generated_support::constant::<T>(0.0);
+        for (own, other) in
+            ::core::slice::from_ref(&self.crank).iter().zip(::core::slice::from_ref(&other.crank))
+        {
+            sum += own.dot(other);
+        }
+        for (own, other) in ::core::slice::from_ref(&self.rod).iter().zip(::core::slice::from_ref(&other.rod))
+        {
+            sum += own.dot(other);
+        }
+        for (own, other) in
+            ::core::slice::from_ref(&self.piston).iter().zip(::core::slice::from_ref(&other.piston))
+        {
+            sum += own.dot(other);
+        }
+        for (own, other) in self.links.as_slice().iter().zip(other.links.as_slice()) {
+            sum += own.dot(other);
+        }
+        sum
+    }
 }
 #[allow(dead_code, unused_variables, clippy::all, clippy::pedantic)]
 impl<T: ::ffrf::generated_support::Number> SliderCrank<T> {

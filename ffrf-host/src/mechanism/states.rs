@@ -21,4 +21,8 @@ impl<T: RealField + Copy> VectorSpace<T> for HostIncrement<T> {
             own.scale(factor);
         }
     }
+
+    fn dot(&self, other: &Self) -> T {
+        self.0.iter().zip(&other.0).fold(T::zero(), |sum, (own, other)| sum + own.dot(other))
+    }
 }

@@ -7,7 +7,7 @@ use ffrf_host::HostMechanism;
 use ffrf_host::scene::Scene;
 use ffrf_host::scene::file::SceneFile;
 use ffrf_runtime::mechanism::Constrained;
-use ffrf_runtime::{RadauIIA, Tolerances};
+use ffrf_runtime::{RadauIIA, RadauMemory, Tolerances};
 
 use crate::convergence::problem::States;
 
@@ -37,7 +37,13 @@ const STEPS: usize = 100;
 
 /// The mean number of sweeps per step, and the largest error of a step over its tolerance (root mean square of all numbers),
 /// against a step that is solved to three digits more.
-fn sweeps<const S: usize>(mechanism: &HostMechanism, start: &States, method: RadauIIA<S>) -> (f64, f64) {
+fn sweeps<const S: usize>(
+    mechanism: &HostMechanism,
+    start: &States,
+    method: RadauIIA<S>,
+    is_remembered: bool,
+) -> (f64, f64) {
+    let mut memory = RadauMemory::new();
     let system = Constrained(mechanism);
     let Tolerances { relative, absolute } = method.tolerances;
     let tight = Tolerances { relative: relative * 1e-3, absolute: absolute * 1e-3 };
@@ -45,7 +51,10 @@ fn sweeps<const S: usize>(mechanism: &HostMechanism, start: &States, method: Rad
     let (mut state, mut sum, mut worst) = (start.clone(), 0, 0.0_f64);
     for k in 0..STEPS {
         let (time, h) = (k as f64 * 1e-4, 1e-4);
-        let (next, report) = method.step(&system, &state, time, h).unwrap();
+        let (next, report) = match is_remembered {
+            true => method.step_from(&system, &mut memory, &state, time, h).unwrap(),
+            false => method.step(&system, &state, time, h).unwrap(),
+        };
         let exact = tight.step(&system, &state, time, h).unwrap().0;
         let errors = state.iter().zip(&next).zip(&exact).flat_map(|((state, next), exact)| {
             let pairs = next.numbers().zip(exact.numbers()).zip(state.numbers());
@@ -64,14 +73,28 @@ fn radau_steps_on_dampers_of_a_turning_body_take_few_sweeps() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/scenes");
     let scene = Scene::compose(&SceneFile::parse(TURNING).unwrap(), &folder).unwrap();
     let start = scene.assembled().unwrap().0;
-    let tolerances = Tolerances { relative: 1e-10, absolute: 1e-12 };
-    let five = sweeps(&scene.mechanism, &start, RadauIIA { tolerances, ..RadauIIA::order_five() });
-    let seven = sweeps(&scene.mechanism, &start, RadauIIA { tolerances, ..RadauIIA::order_seven() });
-    // without mixing and from stages that all begin at zero: 14.4 and 16.8
-    for (name, (mean, worst), most) in [("five", five, 13.6), ("seven", seven, 15.8)] {
+    let five = |relative| RadauIIA { tolerances: to(relative), ..RadauIIA::order_five() };
+    let seven = |relative| RadauIIA { tolerances: to(relative), ..RadauIIA::order_seven() };
+    let mechanism = &scene.mechanism;
+    // to 1e-10 without mixing and from stages that all begin at zero: 14.4 and 16.8
+    for (name, (mean, worst), most) in [
+        ("five to 1e-10", sweeps(mechanism, &start, five(1e-10), false), 13.6),
+        ("seven to 1e-10", sweeps(mechanism, &start, seven(1e-10), false), 15.8),
+        ("five to 1e-10, remembered", sweeps(mechanism, &start, five(1e-10), true), 12.8),
+        ("seven to 1e-10, remembered", sweeps(mechanism, &start, seven(1e-10), true), 14.8),
+        // without memory 4.1 and 4.2 sweeps to 1e-5 leave errors of 4.5 and 5.3 times 1e-4; with it those to 1e-4 leave 1.8 and 1.5
+        ("five to 1e-4, remembered", sweeps(mechanism, &start, five(1e-4), true), 3.5),
+        ("seven to 1e-4, remembered", sweeps(mechanism, &start, seven(1e-4), true), 4.8),
+    ] {
         eprintln!("order {name}: {mean} sweeps per step, error at most {worst:.1} tolerances");
         assert!(mean < most, "order {name}: {mean}");
-        // the share that a sweep leaves is estimated from two sweeps, here for parts that decay and parts that ring
-        assert!(worst < 10.0, "order {name}: {worst}");
+        // what sweeps leave is estimated from two of them, or from those of steps before, for parts that decay and parts that ring
+        let allowed = if name.ends_with("remembered") { 3.0 } else { 10.0 };
+        assert!(worst < allowed, "order {name}: {worst}");
     }
+}
+
+/// The tolerances of a scene.
+fn to(relative: f64) -> Tolerances {
+    Tolerances { relative, absolute: relative * 0.01 }
 }

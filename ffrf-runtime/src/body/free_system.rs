@@ -25,6 +25,10 @@ impl<V: ModalVector<T>, T: RealField + Copy> VectorSpace<T> for Increment<V, T> 
     fn scale(&mut self, factor: T) {
         self.scale(factor);
     }
+
+    fn dot(&self, other: &Self) -> T {
+        self.dot(other)
+    }
 }
 
 impl<B, L> FreeSystem<'_, B, L> {

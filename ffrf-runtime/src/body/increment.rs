@@ -58,6 +58,17 @@ impl<V: ModalVector<T>, T: RealField + Copy> Increment<V, T> {
         self.modal_rates.scale(factor);
     }
 
+    /// The sum of the products of all components, each in its own unit.
+    #[inline]
+    pub fn dot(&self, other: &Self) -> T {
+        self.position.dot(&other.position)
+            + self.rotation.dot(&other.rotation)
+            + self.modal_coordinates.dot(&other.modal_coordinates)
+            + self.velocity.dot(&other.velocity)
+            + self.angular_velocity.dot(&other.angular_velocity)
+            + self.modal_rates.dot(&other.modal_rates)
+    }
+
     /// The rate of the place alone when this increment has led to `state`; rates of velocities zero.
     pub fn place_rate(&self, state: &State<V, T>) -> Self {
         self.rate(state, Motion::zeros(&state.modal_rates))

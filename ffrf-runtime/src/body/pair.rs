@@ -25,7 +25,7 @@ pub struct PairSystem<'a, A, B, L> {
     pub load: &'a L,
 }
 
-impl<A: VectorSpace<T>, B: VectorSpace<T>, T: Copy> VectorSpace<T> for Pair<A, B> {
+impl<A: VectorSpace<T>, B: VectorSpace<T>, T: RealField + Copy> VectorSpace<T> for Pair<A, B> {
     fn add_scaled(&mut self, factor: T, other: &Self) {
         self.first.add_scaled(factor, &other.first);
         self.second.add_scaled(factor, &other.second);
@@ -34,6 +34,10 @@ impl<A: VectorSpace<T>, B: VectorSpace<T>, T: Copy> VectorSpace<T> for Pair<A, B
     fn scale(&mut self, factor: T) {
         self.first.scale(factor);
         self.second.scale(factor);
+    }
+
+    fn dot(&self, other: &Self) -> T {
+        self.first.dot(&other.first) + self.second.dot(&other.second)
     }
 }
 

@@ -59,9 +59,9 @@ pub struct RadauIIA<const S: usize, T = f64> {
 #[derive(Debug, PartialEq)]
 pub struct RadauCoefficients<const S: usize> {
     /// c.
-    nodes: [f64; S],
+    pub(super) nodes: [f64; S],
     /// A; its last row are the weights.
-    stages: [[f64; S]; S],
+    pub(super) stages: [[f64; S]; S],
     /// T: on and below its diagonal.
     triangular: [[f64; S]; S],
     /// Weights less those of the quadrature with all nodes but the first.
@@ -123,7 +123,7 @@ impl<const S: usize, T: RealField + Copy> RadauIIA<S, T> {
         Self { iterations: 40, tolerances, coefficients }
     }
 
-    /// One step from `state`; nothing is remembered between steps.
+    /// One step from `state`; nothing is remembered between steps, see [`step_from`](Self::step_from).
     ///
     /// At most [`iterations`](Self::iterations) times `S` evaluations and factorisations; no allocation, bounded work. The error
     /// estimate is the difference to the quadrature of order S - 1 with all stages but the first.
@@ -138,56 +138,24 @@ impl<const S: usize, T: RealField + Copy> RadauIIA<S, T> {
         step: T,
     ) -> Result<(S2::State, StepReport<T>), StepError> {
         let h = begin(system, state, step)?;
-        let none = system.no_change(state);
-        let combined = |weights: &[f64], rates: &[S2::Increment]| {
-            let mut sum = none.clone();
-            for (weight, rates) in weights.iter().zip(rates) {
-                sum.add_scaled(h * nalgebra::convert(*weight), rates);
-            }
-            sum
-        };
-        let RadauCoefficients { nodes, stages, triangular, error } = self.coefficients;
+        let solving = Solving { system, state, time, h, coefficients: self.coefficients };
         let size = |change: &S2::Increment| system.weighted_error(state, change, &self.tolerances);
-        let mut rates: [S2::Increment; S] = core::array::from_fn(|_| none.clone());
+        let mut rates = solving.at_rest();
         let mut changes = rates.clone();
         let mut before: Option<Sweep<S2::Increment, T, S>> = None;
         let mut residual = T::zero();
-        let weights: &[f64] = stages.last().map_or(&[], |row| row);
-        let lead =
-            triangular.last().and_then(|row| row.last()).map_or(h, |lead| h * nalgebra::convert(*lead));
         for iteration in 1..=self.iterations {
-            for (index, ((node, row), leads)) in nodes.iter().zip(stages).zip(triangular).enumerate() {
-                let mut increment = combined(row, &rates);
-                // earlier stages have changed in this sweep: T for A
-                for ((weight, lead), change) in row.iter().zip(leads).zip(&changes).take(index) {
-                    increment.add_scaled(h * nalgebra::convert(*lead - *weight), change);
-                }
-                let (Some(rate), Some(lead)) = (rates.get_mut(index), leads.get(index)) else { continue };
-                let moment = time + h * nalgebra::convert(*node);
-                let corrected = correct(system, state, moment, increment, rate, h * nalgebra::convert(*lead));
-                let change = stage(system, time, state, true, corrected)?;
-                if let Some(place) = changes.get_mut(index) {
-                    *place = change;
-                }
-                if iteration == 1 {
-                    // where the next stage begins
-                    let found = rate.clone();
-                    if let Some(next) = rates.get_mut(index + 1) {
-                        *next = found;
-                    }
-                }
-            }
-            let change = combined(weights, &changes);
+            solving.sweep(&mut rates, &mut changes, iteration == 1)?;
+            let change = solving.at_end(&changes);
             residual = size(&change);
             if !residual.is_finite() {
                 return Err(refusal(system, time + h, state, true));
             }
-            let sweep = Sweep { end: combined(weights, &rates), rates: rates.clone(), change, residual };
+            let sweep = Sweep { end: solving.at_end(&rates), rates: rates.clone(), change, residual };
             let outlook = before.as_ref().map(|before| (before, sweep.after(before, size)));
             let left = outlook.as_ref().map_or(residual, |(_, outlook)| outlook.left);
             if residual.min(left) <= T::one() {
-                let difference = combined(error, &rates);
-                let (state, report) = finish(system, time + h, state, &sweep.end, &difference, Some(lead))?;
+                let (state, report) = solving.finish(&rates)?;
                 return Ok((state, StepReport { iterations: iteration, ..report }));
             }
             if let Some((before, outlook)) = outlook {
@@ -196,6 +164,81 @@ impl<const S: usize, T: RealField + Copy> RadauIIA<S, T> {
             before = Some(sweep);
         }
         Err(StepError::not_converged(self.iterations, residual))
+    }
+}
+
+/// A step whose stages are to be found.
+pub(super) struct Solving<'a, S2: ImplicitSystem<T>, const S: usize, T: RealField + Copy> {
+    pub system: &'a S2,
+    /// At its beginning.
+    pub state: &'a S2::State,
+    /// At its beginning. Units: s.
+    pub time: T,
+    /// Its size. Units: s.
+    pub h: T,
+    pub coefficients: &'static RadauCoefficients<S>,
+}
+
+impl<S2: ImplicitSystem<T>, const S: usize, T: RealField + Copy> Solving<'_, S2, S, T> {
+    /// No rates.
+    pub fn at_rest(&self) -> [S2::Increment; S] {
+        core::array::from_fn(|_| self.system.no_change(self.state))
+    }
+
+    /// The change of the state by `rates` with these weights.
+    pub fn combined(&self, weights: &[f64], rates: &[S2::Increment]) -> S2::Increment {
+        let mut sum = self.system.no_change(self.state);
+        for (weight, rates) in weights.iter().zip(rates) {
+            sum.add_scaled(self.h * nalgebra::convert(*weight), rates);
+        }
+        sum
+    }
+
+    /// The change of the state over the step.
+    pub fn at_end(&self, rates: &[S2::Increment]) -> S2::Increment {
+        self.combined(self.coefficients.stages.last().map_or(&[], |row| row), rates)
+    }
+
+    /// Corrects `rates` stage by stage; `changes` is what it has changed. `follow`: each stage begins where the one before it has come to.
+    pub fn sweep(
+        &self,
+        rates: &mut [S2::Increment; S],
+        changes: &mut [S2::Increment; S],
+        follow: bool,
+    ) -> Result<(), StepError> {
+        let Self { system, state, time, h, coefficients } = *self;
+        let RadauCoefficients { nodes, stages, triangular, .. } = coefficients;
+        for (index, ((node, row), leads)) in nodes.iter().zip(stages).zip(triangular).enumerate() {
+            let mut increment = self.combined(row, rates);
+            // earlier stages have changed in this sweep: T for A
+            for ((weight, lead), change) in row.iter().zip(leads).zip(&*changes).take(index) {
+                increment.add_scaled(h * nalgebra::convert(*lead - *weight), change);
+            }
+            let (Some(rate), Some(lead)) = (rates.get_mut(index), leads.get(index)) else { continue };
+            let moment = time + h * nalgebra::convert(*node);
+            let corrected = correct(system, state, moment, increment, rate, h * nalgebra::convert(*lead));
+            let change = stage(system, time, state, true, corrected)?;
+            if let Some(place) = changes.get_mut(index) {
+                *place = change;
+            }
+            if follow {
+                // where the next stage begins
+                let found = rate.clone();
+                if let Some(next) = rates.get_mut(index + 1) {
+                    *next = found;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The end of the step that `rates` lead to.
+    pub fn finish(&self, rates: &[S2::Increment; S]) -> Result<(S2::State, StepReport<T>), StepError> {
+        let RadauCoefficients { triangular, error, .. } = self.coefficients;
+        let lead = triangular.last().and_then(|row| row.last());
+        let lead = lead.map_or(self.h, |lead| self.h * nalgebra::convert(*lead));
+        let difference = self.combined(error, rates);
+        finish(self.system, self.time + self.h, self.state, &self.at_end(rates), &difference, Some(lead))
     }
 }
 

@@ -11,6 +11,8 @@ pub trait VectorSpace<T>: Clone {
     fn add_scaled(&mut self, factor: T, other: &Self);
     /// Multiplies by `factor`.
     fn scale(&mut self, factor: T);
+    /// The sum of the products of all components, each in its own unit.
+    fn dot(&self, other: &Self) -> T;
 }
 
 /// A system of ordinary differential equations on a space with rotations.

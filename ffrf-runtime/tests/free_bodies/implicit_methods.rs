@@ -4,7 +4,8 @@
 use ffrf_runtime::nalgebra::{Vector1, Vector2, Vector3};
 use ffrf_runtime::{
     EnergyMomentum, FlexibleBody, FreeBody, FreeSystem, GeneralisedAlpha, Gravity, ModalMatrix, Prepared,
-    RadauIIA, State, StepError, Tolerances, step_exponential, step_linearly_implicit_euler, step_rk4,
+    RadauIIA, RadauMemory, State, StepError, Tolerances, step_exponential, step_linearly_implicit_euler,
+    step_rk4,
 };
 use ffrf_test_kit::bodies::cloud;
 use ffrf_test_kit::convergence::measured_order;
@@ -115,22 +116,58 @@ fn radau_methods_have_orders_five_and_seven_on_free_bodies() {
         RadauIIA { iterations: 40, tolerances, ..RadauIIA::order_five() },
         RadauIIA { iterations: 40, tolerances, ..RadauIIA::order_seven() },
     );
-    let run = |steps: usize, seventh: bool| {
+    let run = |steps: usize, seventh: bool, is_remembered: bool| {
         let h = 1.0 / steps as f64;
+        let (mut of_five, mut of_seven) = (RadauMemory::new(), RadauMemory::new());
         (0..steps).fold(start.state, |state, k| {
             let time = k as f64 * h;
-            let next = match seventh {
-                true => seven.step(&system, &state, time, h),
-                false => five.step(&system, &state, time, h),
+            let next = match (seventh, is_remembered) {
+                (true, true) => seven.step_from(&system, &mut of_seven, &state, time, h),
+                (true, false) => seven.step(&system, &state, time, h),
+                (false, true) => five.step_from(&system, &mut of_five, &state, time, h),
+                (false, false) => five.step(&system, &state, time, h),
             };
             next.unwrap().0
         })
     };
-    let exact = run(400, true);
-    let order = measured_order(50, 2, |steps| difference(&run(steps, false), &exact));
-    assert!((order - 5.0).abs() < SLOPE, "{order}");
-    let order = measured_order(20, 2, |steps| difference(&run(steps, true), &exact));
-    assert!((order - 7.0).abs() < SLOPE, "{order}");
+    let exact = run(400, true, false);
+    for is_remembered in [false, true] {
+        let order = measured_order(50, 2, |steps| difference(&run(steps, false, is_remembered), &exact));
+        assert!((order - 5.0).abs() < SLOPE, "{order}");
+        let order = measured_order(20, 2, |steps| difference(&run(steps, true, is_remembered), &exact));
+        assert!((order - 7.0).abs() < SLOPE, "{order}");
+    }
+}
+
+#[test]
+fn a_memory_of_another_motion_or_step_size_leaves_radau_steps_as_they_are() {
+    let (start, other) = (body(200.0, 0.5), body(200.0, 0.5).with_spin(Vector3::new(-3.0, 1.0, 2.0)));
+    let system = FreeSystem { body: &start.body, load: &() };
+    let tolerances = Tolerances { relative: 1e-11, absolute: 1e-12 };
+    let method = RadauIIA { tolerances, ..RadauIIA::order_five() };
+    let expected = method.step(&system, &start.state, 0.0, 0.01).unwrap().0;
+    for before in [0.01, 0.008, 0.002, 1e-6] {
+        let mut memory = RadauMemory::new();
+        let mut state = other.state;
+        for _ in 0..4 {
+            state = method.step_from(&system, &mut memory, &state, 0.0, before).unwrap().0;
+        }
+        let found = method.step_from(&system, &mut memory, &start.state, 0.0, 0.01).unwrap().0;
+        // both leave a root mean square within tolerance, of numbers of the order of one
+        let apart = difference(&found, &expected);
+        assert!(apart < 1e-10, "{before}: {apart:e}");
+    }
+    // nothing that a step without memory solves is refused with one, and sweeps that led nowhere are counted
+    let few = |iterations: usize| RadauIIA { iterations, ..method };
+    let needed = method.step(&system, &start.state, 0.0, 0.01).unwrap().1.iterations;
+    let wild = body(200.0, 0.5).with_spin(Vector3::new(-40.0, 30.0, 20.0));
+    let mut memory = RadauMemory::new();
+    method.step_from(&system, &mut memory, &wild.state, 0.0, 0.01).unwrap();
+    let (state, report) = few(needed).step_from(&system, &mut memory, &start.state, 0.0, 0.01).unwrap();
+    assert_eq!(report.iterations, 2 * needed);
+    assert_eq!(state, expected);
+    let refused = few(needed - 1).step_from(&system, &mut memory, &start.state, 0.0, 40.0);
+    assert!(refused.is_err(), "{refused:?}");
 }
 
 #[test]

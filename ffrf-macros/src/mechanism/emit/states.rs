@@ -58,6 +58,10 @@ pub(super) fn states(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
         let own = slice_mut(body, &quote! { self });
         quote! { for own in #own { own.scale(factor); } }
     });
+    let dot = spec.bodies.iter().map(|body| {
+        let (own, other) = (slice(body, &quote! { self }), slice(body, &quote! { other }));
+        quote! { for (own, other) in #own.iter().zip(#other) { sum += own.dot(other); } }
+    });
     let size = super::model::size(names, spec.scalar);
     quote! {
         /// The state of each body.
@@ -100,6 +104,12 @@ pub(super) fn states(input: &Input, names: &Names, spec: &Spec) -> TokenStream {
 
             fn scale(&mut self, factor: #t) {
                 #(#scale)*
+            }
+
+            fn dot(&self, other: &Self) -> #t {
+                let mut sum = ::ffrf::generated_support::constant::<#t>(0.0);
+                #(#dot)*
+                sum
             }
         }
     }

@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use ffrf::mechanism::{Assembly, Constrained, Mechanism};
 use ffrf::{
-    GeneralisedAlpha, RadauIIA, StepError, Tolerances, step_dormand_prince, step_linearly_implicit, step_rk4,
-    try_dormand_prince,
+    GeneralisedAlpha, RadauIIA, RadauMemory, StepError, Tolerances, step_dormand_prince,
+    step_linearly_implicit, step_rk4, try_dormand_prince,
 };
 
 /// What is observed of a state: points (m).
@@ -186,8 +186,9 @@ fn simulate<A: Assembly<f64>>(
             Ok(tries)
         }
         method => {
-            // `radau5_TOLERANCE`, `radau7_TOLERANCE`: what may be left of the iteration, relative to each component
-            let Some((method, tolerance)) = method.split_once('_') else {
+            // `radau5_TOLERANCE`, `radau7_TOLERANCE`: what may be left of the iteration, relative to each component; with `_remembered`
+            // before it, stages begin with what the steps before have found
+            let Some((method, tolerance)) = method.rsplit_once('_') else {
                 return Err(StepError::StepSize { found: f64::NAN });
             };
             let relative = tolerance.parse().map_err(|_| StepError::StepSize { found: f64::NAN })?;
@@ -196,6 +197,16 @@ fn simulate<A: Assembly<f64>>(
                 "radau5" => {
                     let method = RadauIIA { tolerances, ..RadauIIA::order_five() };
                     fixed(&mut |state, time, h| Ok(method.step(&system, state, time, h)?.0))
+                }
+                "radau5_remembered" => {
+                    let method = RadauIIA { tolerances, ..RadauIIA::order_five() };
+                    let mut memory = RadauMemory::new();
+                    fixed(&mut |state, time, h| Ok(method.step_from(&system, &mut memory, state, time, h)?.0))
+                }
+                "radau7_remembered" => {
+                    let method = RadauIIA { tolerances, ..RadauIIA::order_seven() };
+                    let mut memory = RadauMemory::new();
+                    fixed(&mut |state, time, h| Ok(method.step_from(&system, &mut memory, state, time, h)?.0))
                 }
                 _ => {
                     let method = RadauIIA { tolerances, ..RadauIIA::order_seven() };
