@@ -21,7 +21,7 @@ const SPEED: f64 = 100.0 * std::f64::consts::PI;
 macro_rules! supported {
     ($name:ident $state:ident $run:ident { $($functions:tt)* }) => {
         ffrf::mechanism! {
-            /// The right support does not hold along the axis.
+            /// The right support has no stiffness along the axis.
             pub struct $name {
                 bodies: { rotor: free Rotor },
                 forces: {
@@ -30,7 +30,7 @@ macro_rules! supported {
                         damping: [DAMPING, DAMPING, DAMPING, 0.0, 0.0, 0.0]),
                     right: bushing(ground.at([0.0, 0.0, 0.5]), rotor.RIGHT,
                         stiffness: [STIFFNESS, STIFFNESS, 0.0, 0.0, 0.0, 0.0],
-                        damping: [DAMPING, DAMPING, 0.0, 0.0, 0.0, 0.0]),
+                        damping: [DAMPING, DAMPING, DAMPING, 0.0, 0.0, 0.0]),
                 },
                 sensors: {
                     left_end: position(rotor.LEFT),
