@@ -28,11 +28,14 @@ pub fn run(arguments: &Generate) -> Result<()> {
     };
     let scene =
         arguments.model.as_deref().filter(|model| model.extension().is_some_and(|name| name == "toml"));
-    if arguments.implicit == ImplicitStages::On && (scene.is_none() || arguments.language != Language::Rust) {
-        bail!("--implicit on: expected a scene and --language rust");
-    }
-    if arguments.all_motions && (scene.is_none() || arguments.language != Language::Rust) {
-        bail!("--all-motions: expected a scene and --language rust");
+    let is_straight = scene.is_some() && arguments.language == Language::Rust;
+    for (is_given, what) in [
+        (arguments.implicit == ImplicitStages::On, "--implicit on"),
+        (arguments.all_motions, "--all-motions"),
+    ] {
+        if is_given && !is_straight {
+            bail!("{what}: expected a scene and --language rust");
+        }
     }
     if let Some(scene) = scene {
         return mechanism(arguments, scene, options);

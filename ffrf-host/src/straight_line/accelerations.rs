@@ -42,10 +42,7 @@ pub fn accelerations(
 ) -> Result<ArrayFunction, StraightLineError> {
     check(scene)?;
     let arguments = Arguments::of(scene, motions);
-    let (results, tape) = trace(scene, &arguments, |system, state, _| {
-        let rates = system.rates(Traced::number(0.0), state, &system.no_change(state))?;
-        Ok(Arguments::results(&rates))
-    })?;
+    let (results, tape) = trace_accelerations(scene, &arguments)?;
     let documentation = [
         "Constrained accelerations of the whole mechanism, in straight-line code.",
         "",
@@ -57,18 +54,24 @@ pub fn accelerations(
     ];
     Ok(ArrayFunction {
         name: name.to_owned(),
-        documentation: documentation
-            .into_iter()
-            .map(str::to_owned)
-            .chain(motions.documentation())
-            .chain(arguments.table(&[("state", 13, 2), ("accelerations", 6, 1)]))
-            .collect(),
+        documentation: arguments.documentation(&documentation, &[("state", 13, 2), ("accelerations", 6, 1)]),
         inputs: vec![arguments.state, arguments.drives],
         output: "accelerations",
         graph: tape.graph,
         calls: tape.calls,
         results,
         conditions: tape.conditions,
+    })
+}
+
+/// The accelerations of explicit stages.
+pub(super) fn trace_accelerations(
+    scene: &Scene,
+    arguments: &Arguments,
+) -> Result<(Vec<Expression>, Tape), StraightLineError> {
+    trace(scene, arguments, |system, state, _| {
+        let rates = system.rates(Traced::number(0.0), state, &system.no_change(state))?;
+        Ok(Arguments::results(&rates))
     })
 }
 

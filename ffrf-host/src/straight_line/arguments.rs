@@ -6,7 +6,7 @@ use ffrf_trace::Traced;
 use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3};
 
 use super::motions::{Motions, STILL};
-use crate::scene::Scene;
+use crate::scene::{Scene, StepChoice};
 use crate::{HostModal, mechanism::HostIncrement};
 
 /// Numbers between -1 and 1 that look random, the same in every run.
@@ -19,6 +19,9 @@ impl Scatter {
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
+
+/// γ h of the stage that is run where the scene names no step. Units: s.
+const USUAL_GAMMA_H: f64 = 1e-4;
 
 /// Entries of an array one after the other, zeros where nothing moves.
 struct Entries<'a> {
@@ -80,8 +83,14 @@ impl Arguments {
         }
     }
 
+    /// The documentation of a function: these lines, what does not move, and what is where.
+    pub(super) fn documentation(&self, lines: &[&str], arrays: &[(&str, usize, usize)]) -> Vec<String> {
+        let lines = lines.iter().map(|line| (*line).to_owned());
+        lines.chain(self.motions.documentation()).chain(self.table(arrays)).collect()
+    }
+
     /// What is where, a line for each body; arrays with so many numbers of each of them without modes and for each of its modes.
-    pub(super) fn table(&self, arrays: &[(&str, usize, usize)]) -> Vec<String> {
+    fn table(&self, arrays: &[(&str, usize, usize)]) -> Vec<String> {
         let mut first = vec![0; arrays.len()];
         let bodies = self.bodies.iter();
         bodies
@@ -150,8 +159,12 @@ impl Arguments {
         change
     }
 
-    /// γ h as an input.
-    pub(super) fn gamma_h(&self, near: f64) -> Traced {
+    /// γ h as an input, near the step of the scene.
+    pub(super) fn gamma_h(&self, scene: &Scene) -> Traced {
+        let near = match scene.settings.step {
+            StepChoice::Fixed(step) => step,
+            StepChoice::Tolerance(_) => USUAL_GAMMA_H,
+        };
         Traced::input(self.gamma_h.symbol(0), near)
     }
 

@@ -7,18 +7,7 @@ use ffrf_trace::Traced;
 use super::accelerations::{check, trace};
 use super::arguments::Arguments;
 use super::{Motions, StraightLineError};
-use crate::scene::{Scene, StepChoice};
-
-/// γ h of the stage that is run where the scene names no step. Units: s.
-const USUAL_GAMMA_H: f64 = 1e-4;
-
-/// γ h of the stage that is run. Units: s.
-pub(super) fn near_gamma_h(scene: &Scene) -> f64 {
-    match scene.settings.step {
-        StepChoice::Fixed(step) => step,
-        StepChoice::Tolerance(_) => USUAL_GAMMA_H,
-    }
-}
+use crate::scene::Scene;
 
 /// The accelerations that a linearly implicit stage finds as a function of state, of what it subtracts, of γ h and of drives.
 ///
@@ -41,9 +30,8 @@ pub fn implicit_accelerations(
 ) -> Result<ArrayFunction, StraightLineError> {
     check(scene)?;
     let arguments = Arguments::of(scene, motions);
-    let gamma_h = near_gamma_h(scene);
     let (results, tape) = trace(scene, &arguments, |system, state, off| {
-        let (subtracted, gamma_h) = (arguments.subtracted(off), arguments.gamma_h(gamma_h));
+        let (subtracted, gamma_h) = (arguments.subtracted(off), arguments.gamma_h(scene));
         let none = system.no_change(state);
         // at the state itself: what runs keeps orientations of length one
         let time = Traced::number(0.0);
@@ -61,15 +49,10 @@ pub fn implicit_accelerations(
         "which other branches of the equations hold, and the results are not to be used.",
         "",
     ];
-    let table = arguments.table(&[("state", 13, 2), ("subtracted", 12, 2), ("accelerations", 6, 1)]);
+    let arrays = [("state", 13, 2), ("subtracted", 12, 2), ("accelerations", 6, 1)];
     Ok(ArrayFunction {
         name: name.to_owned(),
-        documentation: documentation
-            .into_iter()
-            .map(str::to_owned)
-            .chain(motions.documentation())
-            .chain(table)
-            .collect(),
+        documentation: arguments.documentation(&documentation, &arrays),
         inputs: vec![arguments.state, arguments.subtracted, arguments.gamma_h, arguments.drives],
         output: "accelerations",
         graph: tape.graph,

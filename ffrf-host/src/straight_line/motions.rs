@@ -1,12 +1,22 @@
 //! Which numbers of a state move: what a mechanism does in its plane needs no code for what is out of it.
 
 use ffrf_codegen::expression::{Expression, Graph};
+use ffrf_runtime::State;
+use nalgebra::RealField;
 
+use crate::HostModal;
 use crate::scene::Scene;
 
 /// How large all numbers together may be that are taken as zero, as a norm (m, rad, modal units; 1/s of them): the round-off of
 /// motions of 1e3 of these units.
 pub(super) const STILL: f64 = 1e-13;
+
+/// The numbers of a state in the order of the arrays, whose orientations are as they are stored: [`State::numbers`] has the scalar first.
+pub(super) fn numbers<T: RealField + Copy>(state: &State<HostModal<T>, T>) -> impl Iterator<Item = T> {
+    let places = state.position.iter().chain(&state.orientation.coords).chain(&state.modal_coordinates.0);
+    let velocities = state.velocity.iter().chain(&state.angular_velocity).chain(&state.modal_rates.0);
+    places.chain(velocities).copied()
+}
 
 /// Which numbers of the states of a scene code is made for; the others are zero where it holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,15 +34,7 @@ impl Motions {
     }
 
     pub(super) fn starting(scene: &Scene, is_moving: impl Fn(f64) -> bool) -> Self {
-        let mut moving = Vec::new();
-        for state in &scene.initial {
-            moving.extend(state.position.iter().map(|number| is_moving(*number)));
-            moving.extend(state.orientation.coords.iter().map(|number| is_moving(*number)));
-            moving.extend(state.modal_coordinates.0.iter().map(|number| is_moving(*number)));
-            moving.extend(state.velocity.iter().map(|number| is_moving(*number)));
-            moving.extend(state.angular_velocity.iter().map(|number| is_moving(*number)));
-            moving.extend(state.modal_rates.0.iter().map(|number| is_moving(*number)));
-        }
+        let moving = scene.initial.iter().flat_map(numbers).map(is_moving).collect();
         Self { moving, modes: scene.initial.iter().map(|state| state.modal_coordinates.0.len()).collect() }
     }
 

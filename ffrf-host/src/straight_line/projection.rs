@@ -1,15 +1,13 @@
 //! The projection of a scene onto its joints, run once on numbers that write down what is computed with them.
 
 use ffrf_codegen::ArrayFunction;
-use ffrf_runtime::State;
 use ffrf_runtime::mechanism::{Assembly, EvaluatedJoint, Treatment};
 use ffrf_trace::Traced;
 
 use super::accelerations::{check, trace};
 use super::arguments::Arguments;
-use super::implicit_accelerations::near_gamma_h;
+use super::motions::numbers;
 use super::{Motions, StraightLineError};
-use crate::HostModal;
 use crate::scene::Scene;
 
 /// One correction of places and one of velocities by one factorisation, as a function of state and drives, for explicit integrators.
@@ -60,7 +58,6 @@ fn corrections(
     }
     check(scene)?;
     let arguments = Arguments::of(scene, motions);
-    let gamma_h = near_gamma_h(scene);
     let (results, tape) = trace(scene, &arguments, |system, state, _| {
         let mut residuals = Vec::new();
         let mut look = |joints: &[Option<EvaluatedJoint<Traced>>]| {
@@ -69,7 +66,7 @@ fn corrections(
                 residuals.extend(rows.map(|residuals| residuals[level]));
             }
         };
-        let gamma_h = is_implicit.then(|| arguments.gamma_h(gamma_h));
+        let gamma_h = is_implicit.then(|| arguments.gamma_h(scene));
         let projected = system.correct_once(Traced::number(0.0), state.clone(), gamma_h, &mut look)?;
         Ok(projected.iter().flat_map(numbers).chain(residuals).collect())
     })?;
@@ -87,17 +84,14 @@ fn corrections(
         "after it. `false`: the state is one in which other branches of the equations hold, and the results are not to be used.",
         "",
     ];
-    let documentation = documentation.into_iter().map(str::to_owned);
+    let documentation = arguments.documentation(&documentation, &[("state", 13, 2)]);
     let mut inputs = vec![arguments.state, arguments.drives];
     if is_implicit {
         inputs.insert(1, arguments.gamma_h);
     }
     Ok(Some(ArrayFunction {
         name: name.to_owned(),
-        documentation: documentation
-            .chain(motions.documentation())
-            .chain(arguments.table(&[("state", 13, 2)]))
-            .collect(),
+        documentation,
         inputs,
         output: "projected",
         graph: tape.graph,
@@ -105,11 +99,4 @@ fn corrections(
         results,
         conditions: tape.conditions,
     }))
-}
-
-/// The numbers of a state in the order of the arrays.
-fn numbers(state: &State<HostModal<Traced>, Traced>) -> Vec<Traced> {
-    let places = state.position.iter().chain(&state.orientation.coords).chain(&state.modal_coordinates.0);
-    let velocities = state.velocity.iter().chain(&state.angular_velocity).chain(&state.modal_rates.0);
-    places.chain(velocities).copied().collect()
 }

@@ -1,9 +1,6 @@
 //! The motions that the equations of a scene lead to.
 
-use ffrf_runtime::System;
-use ffrf_trace::Traced;
-
-use super::accelerations::{check, trace};
+use super::accelerations::{check, trace_accelerations};
 use super::arguments::Arguments;
 use super::{Motions, StraightLineError};
 use crate::scene::Scene;
@@ -20,10 +17,7 @@ impl Motions {
         let mut motions = Self::starting(scene, |number| number != 0.0);
         loop {
             let arguments = Arguments::of(scene, &motions);
-            let (accelerations, tape) = trace(scene, &arguments, |system, state, _| {
-                let rates = system.rates(Traced::number(0.0), state, &system.no_change(state))?;
-                Ok(Arguments::results(&rates))
-            })?;
+            let (accelerations, tape) = trace_accelerations(scene, &arguments)?;
             let before = motions.clone();
             motions.follow(&accelerations, &tape.graph);
             if motions == before {

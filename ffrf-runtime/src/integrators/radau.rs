@@ -155,7 +155,7 @@ impl<const S: usize, T: RealField + Copy> RadauIIA<S, T> {
             let outlook = before.as_ref().map(|before| (before, sweep.after(before, size)));
             let left = outlook.as_ref().map_or(residual, |(_, outlook)| outlook.left);
             if residual.min(left) <= T::one() {
-                let (state, report) = solving.finish(&rates)?;
+                let (state, report) = solving.finish(&rates, &sweep.end)?;
                 return Ok((state, StepReport { iterations: iteration, ..report }));
             }
             if let Some((before, outlook)) = outlook {
@@ -232,13 +232,17 @@ impl<S2: ImplicitSystem<T>, const S: usize, T: RealField + Copy> Solving<'_, S2,
         Ok(())
     }
 
-    /// The end of the step that `rates` lead to.
-    pub fn finish(&self, rates: &[S2::Increment; S]) -> Result<(S2::State, StepReport<T>), StepError> {
+    /// The end of the step that `rates` lead to by the change `end`.
+    pub fn finish(
+        &self,
+        rates: &[S2::Increment; S],
+        end: &S2::Increment,
+    ) -> Result<(S2::State, StepReport<T>), StepError> {
         let RadauCoefficients { triangular, error, .. } = self.coefficients;
         let lead = triangular.last().and_then(|row| row.last());
         let lead = lead.map_or(self.h, |lead| self.h * nalgebra::convert(*lead));
         let difference = self.combined(error, rates);
-        finish(self.system, self.time + self.h, self.state, &self.at_end(rates), &difference, Some(lead))
+        finish(self.system, self.time + self.h, self.state, end, &difference, Some(lead))
     }
 }
 

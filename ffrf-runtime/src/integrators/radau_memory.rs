@@ -112,14 +112,15 @@ impl<const S: usize, T: RealField + Copy> RadauIIA<S, T> {
             if let Some(before) = before.take() {
                 memory.secants.add(before, &mut now);
             }
+            let end = solving.at_end(&rates);
             let mixture = if residual <= one { None } else { memory.secants.mixed(&now) };
             let left = mixture.as_ref().map_or(residual, |mixture| {
                 let mut moved = solving.at_end(&mixture.rates);
-                moved.add_scaled(-one, &solving.at_end(&rates));
+                moved.add_scaled(-one, &end);
                 size(&moved) + mixture.unexplained * residual
             });
             if residual.min(left) <= one {
-                let (state, report) = solving.finish(&rates)?;
+                let (state, report) = solving.finish(&rates, &end)?;
                 memory.last = Some((h, rates.map(|rates| system.velocities_only(&rates))));
                 return Ok((state, StepReport { iterations: iteration, ..report }));
             }

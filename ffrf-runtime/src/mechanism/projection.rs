@@ -79,15 +79,13 @@ impl<A> Constrained<'_, A> {
         if iterations == 0 {
             return None;
         }
-        let first = self.0.straight_projection(time, state, gamma_h)?;
-        let before = first.before;
-        let mut projected = first;
+        let mut projected = self.0.straight_projection(time, state, gamma_h)?;
         for _ in 1..iterations {
             if projected.is_closed() {
                 break;
             }
             let next = self.0.straight_projection(time, &projected.state, gamma_h)?;
-            projected = Projected { before, ..next };
+            projected = Projected { before: projected.before, ..next };
         }
         Some(projected)
     }

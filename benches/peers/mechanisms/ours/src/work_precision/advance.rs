@@ -18,7 +18,7 @@ const MOST_TRIES: usize = 100_000_000;
 pub enum Request {
     /// The initial state.
     Start,
-    /// A run; whether the mechanism has its stages, and projections of explicit steps, in straight-line code.
+    /// A run; whether the mechanism has its stages, and its projections, in straight-line code.
     Run { method: String, is_straight: bool, step: f64, duration: f64, samples: usize, rounds: usize },
 }
 
